@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_H
+#define CGAL_FRAME_FIELDS_H
+
+/// \file Frame_fields.h
+/// includes all functions of this package.
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
+#include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/cad_frame_field.h>
+#include <CGAL/Frame_fields/frame_vectors.h>
+#include <CGAL/Frame_fields/orthogonal_frame_field.h>
+#include <CGAL/Frame_fields/parameters.h>
+#include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/relax_frame_field.h>
+#include <CGAL/Frame_fields/sharp_corners.h>
+#include <CGAL/Frame_fields/singularity_indices.h>
+#include <CGAL/Frame_fields/split_overconstrained_faces.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
+#endif
+
+#endif // CGAL_FRAME_FIELDS_H

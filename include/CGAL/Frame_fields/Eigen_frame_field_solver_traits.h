@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_EIGEN_FRAME_FIELD_SOLVER_TRAITS_H
+#define CGAL_FRAME_FIELDS_EIGEN_FRAME_FIELD_SOLVER_TRAITS_H
+
+#include <CGAL/Frame_fields/Hermitian_matrix.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+/// \file Eigen_frame_field_solver_traits.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/// \ingroup PkgFrame_fieldsSolver
+///
+/// solves hermitian positive definite systems by the sparse Cholesky factorization `Eigen::SimplicialLDLT` with
+/// approximate minimum degree ordering.
+///
+/// \cgalModels{PositiveDefiniteSolver}
+///
+/// \tparam Scalar_ `double` or `std::complex<double>`
+template <typename Scalar_>
+class Eigen_positive_definite_solver
+{
+public:
+  typedef Scalar_ Scalar;
+
+  Eigen_positive_definite_solver() : m_factorization(std::make_unique<Factorization>()) {}
+
+  /// factors `matrix`; returns `false` if a pivot vanishes.
+  bool factor(const Hermitian_matrix<Scalar>& matrix)
+  {
+    const Eigen::Map<const Matrix> view(matrix.size(), matrix.size(), static_cast<int>(matrix.row.size()),
+                                        matrix.column_begin.data(), matrix.row.data(), matrix.value.data());
+    m_factorization->compute(Matrix(view));
+    return m_factorization->info() == Eigen::Success;
+  }
+
+  /// sets `solution` such that the factored matrix times `solution` is `right_hand_side`.
+  bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution) const
+  {
+    solution.resize(right_hand_side.size());
+    const Eigen::Map<const Vector> b(right_hand_side.data(), right_hand_side.size());
+    Eigen::Map<Vector>(solution.data(), solution.size()) = m_factorization->solve(b);
+    return m_factorization->info() == Eigen::Success;
+  }
+
+private:
+  typedef Eigen::SparseMatrix<Scalar> Matrix;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Factorization;
+
+  std::unique_ptr<Factorization> m_factorization; // Eigen's class cannot be moved
+};
+
+/// \ingroup PkgFrame_fieldsSolver
+///
+/// is the default solver traits: sparse Cholesky factorizations by \ref thirdpartyEigen "Eigen".
+///
+/// \cgalModels{FrameFieldSolverTraits}
+struct Eigen_frame_field_solver_traits
+{
+  typedef Eigen_positive_definite_solver<double> Real_solver;
+  typedef Eigen_positive_definite_solver<std::complex<double> > Complex_solver;
+  typedef CGAL::Tag_true Has_independent_solvers;
+
+  Real_solver real_solver_object() const { return Real_solver(); }
+  Complex_solver complex_solver_object() const { return Complex_solver(); }
+};
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_EIGEN_FRAME_FIELD_SOLVER_TRAITS_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_ERROR_CODE_H
+#define CGAL_FRAME_FIELDS_ERROR_CODE_H
+
+#include <string>
+
+/// \file Error_code.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/// \ingroup PkgFrame_fieldsEnums
+///
+/// lists what can keep a function of this package from producing its output.
+enum Error_code
+{
+  OK,                                ///< Success
+  ERROR_EMPTY_MESH,                  ///< The mesh has no face
+  ERROR_MESH_TOO_LARGE,              ///< The mesh has more than 2^31 / 3 faces
+  ERROR_NON_TRIANGULAR_MESH,         ///< A face is not a triangle
+  ERROR_NON_FINITE_COORDINATE,       ///< A coordinate is infinite or not a number
+  ERROR_ZERO_LENGTH_EDGE,            ///< The two ends of an edge have the same coordinates
+  ERROR_OVERCONSTRAINED_FACE,        ///< A face has more than one constrained edge
+  ERROR_WRONG_PARAMETER,             ///< A named parameter is out of its range
+  ERROR_WRONG_FIELD,                 ///< A map read as input does not hold what it must
+  ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to
+  ERROR_CANNOT_SOLVE_LINEAR_SYSTEM   ///< The linear solver failed
+};
+
+/// \ingroup PkgFrame_fieldsEnums
+///
+/// returns the sentence that describes an error code.
+/// \param error_code a value of `Error_code`
+inline const char* get_error_message(int error_code)
+{
+  switch(error_code)
+  {
+    case OK:                               return "Success";
+    case ERROR_EMPTY_MESH:                 return "The mesh has no face";
+    case ERROR_MESH_TOO_LARGE:             return "The mesh has too many faces for 32-bit indices";
+    case ERROR_NON_TRIANGULAR_MESH:        return "A face is not a triangle";
+    case ERROR_NON_FINITE_COORDINATE:      return "A coordinate is infinite or not a number";
+    case ERROR_ZERO_LENGTH_EDGE:           return "An edge has length zero";
+    case ERROR_OVERCONSTRAINED_FACE:       return "A face has more than one constrained edge";
+    case ERROR_WRONG_PARAMETER:            return "A named parameter is out of its range";
+    case ERROR_WRONG_FIELD:                return "A map read as input does not hold what it must";
+    case ERROR_NO_RECEIVING_SECTOR:        return "The rotation taken from a sharp corner finds no sector to go to";
+    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "The linear solver failed";
+  }
+  return "Unknown error";
+}
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// is what the functions of this package return: an error code, and for a failure a message that names the element at
+/// fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by its coordinates.
+/// When `error_code` is not `OK`, no output map was written and no output iterator was advanced.
+struct Result
+{
+  /// `OK` or the reason for the failure
+  Error_code error_code = OK;
+
+  /// is empty on success
+  std::string message;
+
+  /// returns `true` on success.
+  explicit operator bool() const { return error_code == OK; }
+};
+
+namespace internal {
+
+inline Result failure(const Error_code error_code, const std::string& element)
+{
+  return { error_code, std::string(get_error_message(error_code)) + ": " + element };
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_ERROR_CODE_H

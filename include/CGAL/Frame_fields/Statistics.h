@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_STATISTICS_H
+#define CGAL_FRAME_FIELDS_STATISTICS_H
+
+#include <cstddef>
+
+/// \file Statistics.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// lists the stages of `cad_frame_field()` in their order.
+enum Stage
+{
+  CUT_SURFACE,           ///< the mesh is read and cut along its constrained edges
+  PRESCRIBED_ROTATION,   ///< the rotation prescribed across the dual edges, see `prescribe_rotation()`
+  ORTHOGONAL_FIELD,      ///< see `orthogonal_frame_field()`
+  MATCHING_AND_INDICES,  ///< see `singularity_indices()`
+  RELAXATION             ///< see `relax_frame_field()`
+};
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// is the default visitor of `cad_frame_field()`; it does nothing.
+///
+/// \cgalModels{FrameFieldVisitor}
+struct Default_frame_field_visitor
+{
+  void start_stage(Stage) {}
+};
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// holds the wall-clock seconds of each stage of `cad_frame_field()`.
+struct Stage_seconds
+{
+  double cut_surface = 0;
+  double prescribed_rotation = 0;
+  double orthogonal_field = 0;
+  double matching_and_indices = 0;
+  double relaxation = 0;
+  double total = 0; ///< from the call to the return, with the writing of the output maps
+};
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// holds the figures of one call of `cad_frame_field()`; see its named parameter `statistics`.
+struct Statistics
+{
+  /// the number of connected pieces of the surface cut along its constrained edges
+  std::size_t number_of_patches = 0;
+
+  /// the number of sectors that got a prescribed quarter turn
+  std::size_t number_of_sharp_corners = 0;
+
+  /// the number of faces whose skewness was brought back to the maximum
+  std::size_t number_of_clamped_faces = 0;
+
+  /// \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ of the orthogonal field
+  double energy_orthogonal = 0;
+
+  /// \f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 \f$ of the final field
+  double energy_relaxed = 0;
+
+  Stage_seconds seconds;
+};
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_STATISTICS_H

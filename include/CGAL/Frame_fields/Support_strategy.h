@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_SUPPORT_STRATEGY_H
+#define CGAL_FRAME_FIELDS_SUPPORT_STRATEGY_H
+
+/// \file Support_strategy.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/// \ingroup PkgFrame_fieldsRef
+///
+/// tells where the rotation prescribed at a sharp corner is compensated (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
+///
+/// The prescribed rotations of a patch sum to zero, so what a sharp corner \f$ v \f$ gets, \f$ \theta_v - \pi/2 \f$,
+/// must be taken from other sectors, the *receivers* of the corner.
+class Support_strategy
+{
+public:
+  enum Kind { NONE, LOCAL, RINGS, COMPONENT };
+
+  /// prescribes no rotation: the classical smoothest field.
+  static Support_strategy none() { return Support_strategy(NONE); }
+
+  /// shares the rotation evenly among the dual edges of the sharp corner.
+  static Support_strategy local() { return Support_strategy(LOCAL); }
+
+  /// takes the rotation from the sectors that are reached from the corner along at most `number_of_rings` edges of the
+  /// patch, and from the nearest ring that has a receiver if there is none among them.
+  static Support_strategy rings(const unsigned int number_of_rings)
+  {
+    return Support_strategy(RINGS, number_of_rings);
+  }
+
+  /// takes the rotation from all sectors of the patch.
+  static Support_strategy component() { return Support_strategy(COMPONENT); }
+
+  /// returns the kind of the strategy.
+  Kind kind() const { return m_kind; }
+
+  /// returns the number of rings; 0 if the kind is not `RINGS`.
+  unsigned int number_of_rings() const { return m_number_of_rings; }
+
+private:
+  explicit Support_strategy(const Kind kind, const unsigned int number_of_rings = 0)
+    : m_kind(kind), m_number_of_rings(number_of_rings)
+  {}
+
+  Kind m_kind;
+  unsigned int m_number_of_rings;
+};
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_SUPPORT_STRATEGY_H

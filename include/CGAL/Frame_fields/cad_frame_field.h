@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_CAD_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_CAD_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/frame_field.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <functional>
+
+/// \file cad_frame_field.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+computes a frame field that is aligned with all feature edges, has no singularity of index \f$ 1/2 \f$ at sharp
+corners, and is as smooth as its skewness allows (\cgalCite{cgal:dprcs-ffcm-22}).
+
+It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogonal_frame_field()`,
+`singularity_indices()` and `relax_frame_field()` do one after the other, with the same output.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam AlphaMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam RhoMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam IndexMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh: manifold, oriented, with or without border, of any genus and any number of components
+\param alpha_map gets the angle of the first branch of each face `f`, in radians, counted counter-clockwise from the
+       direction of `halfedge(f, tm)`
+\param rho_map gets the skewness, in radians: the branches of a face stand at
+       \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$
+\param index_map gets four times the singularity index of the sector that contains the corner at the target of a
+       halfedge; 0 on border halfedges
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharp_corner_bound}
+    \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+    \cgalParamExtra{Beyond \f$ 3 \pi / 4 \f$ a corner gets the multiple of \f$ 1/4 \f$ nearest to its angle.}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_strategy}
+    \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}
+    \cgalParamType{`Support_strategy`}
+    \cgalParamDefault{`Support_strategy::rings(4)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{orthogonality_weight}
+    \cgalParamDescription{the weight \f$ \epsilon \f$ of the squared skewness in the relaxation}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`1e-2`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_skewness}
+    \cgalParamDescription{the largest \f$ |\rho| \f$ allowed, in radians}
+    \cgalParamType{`double` in \f$ [0, \pi / 2) \f$}
+    \cgalParamDefault{\f$ 0.45 \pi \f$}
+  \cgalParamNEnd
+  \cgalParamNBegin{relax_orthogonality}
+    \cgalParamDescription{tells whether the orthogonal field is relaxed; \f$ \rho = 0 \f$ otherwise}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of the solver traits class}
+    \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
+                   = `double` for symmetric positive definite matrices}
+    \cgalParamDefault{`Eigen_frame_field_solver_traits` if \ref thirdpartyEigen "Eigen" is available and
+                      `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+    \cgalParamDefault{`CGAL::Sequential_tag`}
+    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an instance of a visitor class, told when a stage starts}
+    \cgalParamType{a class model of `FrameFieldVisitor`}
+    \cgalParamDefault{`Default_frame_field_visitor`}
+    \cgalParamExtra{Pass `std::ref(visitor)` to have the instance itself called and not a copy.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{matching_map}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch \f$ k + p_{ij} \f$ of the face of its opposite}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
+    \cgalParamDefault{it is not written}
+    \cgalParamExtra{\f$ p_{ji} = -p_{ij} \f$, and 0 on constrained edges}
+  \cgalParamNEnd
+  \cgalParamNBegin{prescribed_rotation_map}
+    \cgalParamDescription{gets the prescribed rotation \f$ \omega_{ij} \f$, in radians}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type}
+    \cgalParamDefault{it is not written}
+    \cgalParamExtra{\f$ \omega_{ji} = -\omega_{ij} \f$, and 0 on constrained edges}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharp_corner_output_iterator}
+    \cgalParamDescription{gets one halfedge of each sharp corner, as in `sharp_corners()`}
+    \cgalParamType{a class model of `OutputIterator` that accepts
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
+    \cgalParamDefault{they are not listed}
+  \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{gets the counts, the energies and the seconds of each stage}
+    \cgalParamType{`std::reference_wrapper<Statistics>`}
+    \cgalParamDefault{they are not computed}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
+        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (not for bounds up to \f$ \pi \f$) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+
+Three sparse factorizations for each patch, of as many rows as it has sectors, faces and twice its faces. What is not
+spent there is \cgalBigO{n} for \f$ n \f$ faces, in time and in memory.
+*/
+template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename IndexMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, IndexMap index_map,
+                       const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::get_parameter;
+  typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
+
+  internal::Stage_clock<CGAL_NP_CLASS> clock(np);
+  const internal::Options options = internal::options_from(np);
+  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
+
+  clock.start(CUT_SURFACE);
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  const Result cut_result = internal::check_and_cut(options, cut_mesh);
+  if(!cut_result)
+    return cut_result;
+
+  internal::Frame_field field;
+  const internal::Patch_result field_result =
+    internal::compute_frame_field<Concurrency_tag>(cut_mesh.surface(), options, solver_traits, clock, field);
+  if(field_result.error_code != OK)
+    return internal::to_result(cut_mesh, field_result);
+  clock.stop();
+
+  internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, rho_map);
+  internal::write_on_sectors(cut_mesh, field.index, index_map);
+  internal::write_on_dual_edges(cut_mesh, field.matching, get_parameter(np, internal::matching));
+  internal::write_on_dual_edges(cut_mesh, field.omega, get_parameter(np, internal::prescribed_rotation));
+  internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound,
+                                get_parameter(np, internal::sharp_corner_output_iterator));
+  internal::write_statistics(cut_mesh.surface(), options, field, clock, get_parameter(np, internal::statistics));
+  return {};
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_CAD_FRAME_FIELD_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_FRAME_VECTORS_H
+#define CGAL_FRAME_FIELDS_FRAME_VECTORS_H
+
+#include <CGAL/Frame_fields/internal/corner_angles.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_type_config.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+
+/// \file frame_vectors.h
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+inline Coordinates normalized(const Coordinates& u)
+{
+  const double l = length(u);
+  return { u[0] / l, u[1] / l, u[2] / l };
+}
+
+// Some unit vector perpendicular to a unit vector.
+inline Coordinates perpendicular(const Coordinates& u)
+{
+  const bool is_x_smallest = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]);
+  const bool is_y_smallest = !is_x_smallest && std::abs(u[1]) <= std::abs(u[2]);
+  const Coordinates axis = is_x_smallest ? Coordinates{ 1, 0, 0 }
+                         : is_y_smallest ? Coordinates{ 0, 1, 0 } : Coordinates{ 0, 0, 1 };
+  return normalized(cross(u, axis));
+}
+
+// The unit vector a quarter turn counter-clockwise from the unit vector `b` along the first edge of a triangle, whose
+// next edge runs along `next_edge`.
+inline Coordinates quarter_turn(const Coordinates& b, const Coordinates& next_edge)
+{
+  const Coordinates normal = cross(b, next_edge);
+  if(length(normal) == 0)
+    return perpendicular(b);
+  return normalized(cross(normalized(normal), b));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+computes the four branches of the frame of a face as unit vectors, at the angles
+\f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$ from the direction of `halfedge(f, tm)`,
+counter-clockwise about the normal of the face.
+
+\tparam TriangleMesh a model of `HalfedgeGraph` and `FaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param f a triangle of `tm` whose edges have a positive length; if it has no area, it takes some plane through its edge
+\param tm the mesh
+\param alpha the angle of the first branch, in radians
+\param rho the skewness, in radians
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{All computation is in `double`; the vectors are built from `double` coordinates.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return an `std::array` of four vectors of type `%Vector_3` of the geometric traits; branches 0 and 2, and 1 and 3, are
+        opposite
+
+\sa `cad_frame_field()`
+*/
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifdef DOXYGEN_RUNNING
+std::array<Vector_3, 4>
+#else
+std::array<typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type::Vector_3, 4>
+#endif
+frame_vectors(const TriangleMesh& tm, const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+              const double alpha, const double rho, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
+  typedef typename Geom_traits::FT FT;
+
+  const auto points = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tm));
+  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+
+  const auto coordinates = [&](const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
+  {
+    return internal::coordinates_of(get(points, v), traits);
+  };
+  const auto h = halfedge(f, tm);
+  const internal::Coordinates source_point = coordinates(source(h, tm)), target_point = coordinates(target(h, tm));
+  const internal::Coordinates b = internal::normalized(internal::scaled_direction(source_point, target_point));
+  const internal::Coordinates b_turned = internal::quarter_turn(
+    b, internal::scaled_direction(target_point, coordinates(target(next(h, tm), tm))));
+
+  const auto unit_vector = [&](const double angle, const double sign)
+  {
+    const double x = sign * std::cos(angle), y = sign * std::sin(angle);
+    return traits.construct_vector_3_object()(FT(x * b[0] + y * b_turned[0]), FT(x * b[1] + y * b_turned[1]),
+                                              FT(x * b[2] + y * b_turned[2]));
+  };
+  const double beta = alpha + CGAL_PI / 2 + rho;
+  return { unit_vector(alpha, 1), unit_vector(beta, 1), unit_vector(alpha, -1), unit_vector(beta, -1) };
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_FRAME_VECTORS_H

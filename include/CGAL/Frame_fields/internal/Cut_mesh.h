@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_CUT_MESH_H
+#define CGAL_FRAME_FIELDS_INTERNAL_CUT_MESH_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/corner_angles.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// A mesh cut along its constrained edges: the only code that reads meshes.
+template <typename TriangleMesh, typename NamedParameters>
+class Cut_mesh
+{
+public:
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+
+  Cut_mesh(const TriangleMesh& tm, const NamedParameters& np)
+    : m_mesh(tm)
+    , m_points(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+        CGAL::get_const_property_map(CGAL::vertex_point, tm)))
+    , m_traits(CGAL::parameters::choose_parameter<Geom_traits>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
+    , m_edge_is_constrained(CGAL::parameters::choose_parameter<Constraint_map>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained)))
+    , m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
+  {}
+
+  // Sets the surface; does not read coordinates of isolated vertices.
+  Result build(const bool accepts_overconstrained_faces)
+  {
+    Result result = collect_faces();
+    if(!result)
+      return result;
+    sort_by_patches();
+    result = measure_angles();
+    if(!result)
+      return result;
+    if(!accepts_overconstrained_faces)
+      result = find_overconstrained_face();
+    if(!result)
+      return result;
+    collect_sectors(m_surface);
+    collect_dual_edges(m_surface);
+    return {};
+  }
+
+  const Cut_surface& surface() const { return m_surface; }
+  const std::vector<face_descriptor>& faces() const { return m_faces; }
+
+  // The mesh's halfedge of a flat index.
+  halfedge_descriptor halfedge_of(const int index) const
+  {
+    halfedge_descriptor h = halfedge(m_faces[face_of(index)], m_mesh);
+    for(int k = index % 3; k > 0; --k)
+      h = next(h, m_mesh);
+    return h;
+  }
+
+  // Calls `visit(h, i)` for each halfedge of a face with its flat index, and `visit(h, -1)` for each border halfedge.
+  template <typename Visit>
+  void for_each_halfedge(const Visit& visit) const
+  {
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+    {
+      halfedge_descriptor h = halfedge(m_faces[f], m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+      {
+        visit(h, static_cast<int>(3 * f) + k);
+        if(is_border(opposite(h, m_mesh), m_mesh))
+          visit(opposite(h, m_mesh), -1);
+      }
+    }
+  }
+
+  std::string description_of_face(const int face) const { return description_of_face(m_faces[face]); }
+
+  std::string description_of_sector(const int sector) const
+  {
+    const int corner = m_surface.first_corner[sector];
+    std::ostringstream text;
+    text << "the vertex at " << position(target(halfedge_of(corner), m_mesh)) << " in "
+         << description_of_face(face_of(corner));
+    return text.str();
+  }
+
+  Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(get(m_points, v), m_traits); }
+
+private:
+  typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    CGAL::internal_np::edge_is_constrained_t, NamedParameters,
+    CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
+
+  Result collect_faces()
+  {
+    for(const face_descriptor f : CGAL::faces(m_mesh))
+    {
+      if(m_faces.size() >= static_cast<std::size_t>(INT_MAX / 3))
+        return failure(ERROR_MESH_TOO_LARGE, "more than " + std::to_string(m_faces.size()) + " faces");
+      put(m_face_number, f, static_cast<int>(m_faces.size()));
+      const halfedge_descriptor h = halfedge(f, m_mesh);
+      if(!CGAL::is_triangle(h, m_mesh))
+        return failure(ERROR_NON_TRIANGULAR_MESH, description_of_face(f));
+      m_faces.push_back(f);
+    }
+    if(m_faces.empty())
+      return failure(ERROR_EMPTY_MESH, "faces(tm) is an empty range");
+    return {};
+  }
+
+  bool is_constrained(const halfedge_descriptor h) const
+  {
+    return is_border(opposite(h, m_mesh), m_mesh) || get(m_edge_is_constrained, edge(h, m_mesh));
+  }
+
+  // The flat index of a halfedge before the faces are sorted.
+  int number_of(const halfedge_descriptor h) const
+  {
+    const face_descriptor f = face(h, m_mesh);
+    const halfedge_descriptor first = halfedge(f, m_mesh);
+    const int place = (h == first) ? 0 : (h == next(first, m_mesh)) ? 1 : 2;
+    return 3 * get(m_face_number, f) + place;
+  }
+
+  void sort_by_patches()
+  {
+    std::vector<int> opposite_number(3 * m_faces.size(), -1);
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+    {
+      halfedge_descriptor h = halfedge(m_faces[f], m_mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+        if(!is_constrained(h))
+          opposite_number[3 * f + k] = number_of(opposite(h, m_mesh));
+    }
+    std::vector<int> patch_of_face;
+    const int number_of_patches = number_patches(opposite_number, patch_of_face);
+    const std::vector<int> order = face_order_by_patches(patch_of_face, number_of_patches, m_surface.patches);
+    m_surface.opposite = reorder_opposites(opposite_number, order);
+
+    std::vector<face_descriptor> sorted_faces;
+    sorted_faces.reserve(m_faces.size());
+    for(const int f : order)
+      sorted_faces.push_back(m_faces[f]);
+    m_faces.swap(sorted_faces);
+  }
+
+  Result measure_angles()
+  {
+    m_surface.angle.reserve(3 * m_faces.size());
+    for(const face_descriptor f : m_faces)
+    {
+      const halfedge_descriptor h = halfedge(f, m_mesh);
+      const std::array<Coordinates, 3> points{ coordinates(target(h, m_mesh)),
+                                               coordinates(target(next(h, m_mesh), m_mesh)),
+                                               coordinates(source(h, m_mesh)) };
+      for(const Coordinates& point : points)
+        if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+          return failure(ERROR_NON_FINITE_COORDINATE, description_of_face(f));
+      if(points[0] == points[1] || points[1] == points[2] || points[2] == points[0])
+        return failure(ERROR_ZERO_LENGTH_EDGE, "in " + description_of_face(f));
+      for(const double angle : corner_angles(points))
+        m_surface.angle.push_back(angle);
+    }
+    return {};
+  }
+
+  Result find_overconstrained_face() const
+  {
+    for(int f = 0; f < m_surface.number_of_faces(); ++f)
+    {
+      int number_of_constrained_edges = 0;
+      for(int k = 0; k < 3; ++k)
+        number_of_constrained_edges += m_surface.is_constrained(3 * f + k);
+      if(number_of_constrained_edges > 1)
+        return failure(ERROR_OVERCONSTRAINED_FACE,
+                       description_of_face(f) + "; call split_overconstrained_faces() before");
+    }
+    return {};
+  }
+
+  std::string description_of_face(const face_descriptor f) const
+  {
+    std::ostringstream text;
+    text << "face " << get(m_face_number, f) << " of faces(tm), which has a vertex at "
+         << position(target(halfedge(f, m_mesh), m_mesh));
+    return text.str();
+  }
+
+  std::string position(const vertex_descriptor v) const
+  {
+    const Coordinates point = coordinates(v);
+    std::ostringstream text;
+    text.precision(17);
+    text << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
+    return text.str();
+  }
+
+  const TriangleMesh& m_mesh;
+  Vertex_point_map m_points;
+  Geom_traits m_traits;
+  Constraint_map m_edge_is_constrained;
+  Face_number_map m_face_number; // the number of each face in the order of faces(tm)
+  std::vector<face_descriptor> m_faces;
+  Cut_surface m_surface;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_CUT_MESH_H

@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
+#define CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
+
+#include <CGAL/number_type_config.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// An interval of indices.
+struct Index_range
+{
+  int begin_index, end_index;
+
+  int size() const { return end_index - begin_index; }
+};
+
+// A connected piece of the cut surface. The faces, dual edges and sectors of a patch have consecutive indices.
+struct Patch
+{
+  Index_range faces, dual_edges, sectors;
+};
+
+// An unconstrained edge: `halfedge` lies in face i and `opposite` in face j.
+struct Dual_edge
+{
+  int halfedge, opposite;
+};
+
+// The surface cut along its constrained edges, in flat arrays. Face f has the halfedges 3f, 3f+1 and 3f+2, the first of
+// which is that of the mesh. A halfedge stands for the corner at its target as well. (Section 2 of the paper; only
+// corner angles and the combinatorics are needed.)
+struct Cut_surface
+{
+  std::vector<Patch> patches;
+  std::vector<double> angle;                 // per halfedge: the corner angle at its target
+  std::vector<int> opposite;                 // per halfedge: its opposite, -1 on constrained edges
+  std::vector<int> sector;                   // per halfedge: the sector of the corner at its target
+  std::vector<int> first_corner;             // per sector: its clockwise-most corner, any one if it is closed
+  std::vector<double> total_angle;           // per sector
+  std::vector<Dual_edge> dual_edges;
+  std::vector<double> transport;             // per dual edge: c_ij
+
+  int number_of_faces() const { return static_cast<int>(angle.size() / 3); }
+  int number_of_halfedges() const { return static_cast<int>(angle.size()); }
+  int number_of_sectors() const { return static_cast<int>(total_angle.size()); }
+  int number_of_dual_edges() const { return static_cast<int>(dual_edges.size()); }
+  bool is_constrained(const int halfedge) const { return opposite[halfedge] < 0; }
+
+  // A sector is on a constrained edge unless one can turn around it for ever.
+  bool is_constrained_sector(const int s) const;
+
+  // The first halfedge of the face on a constrained edge, -1 if there is none.
+  int constrained_halfedge(int face) const;
+};
+
+inline int face_of(const int halfedge) { return halfedge / 3; }
+inline int next_of(const int halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+inline int previous_of(const int halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+
+inline bool Cut_surface::is_constrained_sector(const int s) const
+{
+  return is_constrained(next_of(first_corner[s]));
+}
+
+inline int Cut_surface::constrained_halfedge(const int face) const
+{
+  for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    if(is_constrained(halfedge))
+      return halfedge;
+  return -1;
+}
+
+// The angle of a halfedge counted counter-clockwise from the first halfedge of its face.
+inline double halfedge_angle(const Cut_surface& surface, const int halfedge)
+{
+  const int first = halfedge - halfedge % 3;
+  switch(halfedge % 3)
+  {
+    case 0: return 0;
+    case 1: return CGAL_PI - surface.angle[first];
+    default: return CGAL_PI + surface.angle[first + 2];
+  }
+}
+
+// Calls `visit(h)` for the corners of a sector in counter-clockwise order.
+template <typename Visit>
+void for_each_corner(const std::vector<int>& opposite, const int first_corner, const Visit& visit)
+{
+  int corner = first_corner;
+  do
+  {
+    visit(corner);
+    if(opposite[corner] < 0)
+      return;
+    corner = previous_of(opposite[corner]);
+  } while(corner != first_corner);
+}
+
+// The clockwise-most corner of the sector of `corner`; `corner` itself if the sector is closed.
+inline int clockwise_most_corner(const std::vector<int>& opposite, const int corner)
+{
+  int result = corner;
+  do
+  {
+    const int outgoing = next_of(result);
+    if(opposite[outgoing] < 0)
+      return result;
+    result = opposite[outgoing];
+  } while(result != corner);
+  return corner;
+}
+
+// Gives each face the number of its patch, patches numbered in the order of their first faces; returns their number.
+inline int number_patches(const std::vector<int>& opposite, std::vector<int>& patch_of_face)
+{
+  const int number_of_faces = static_cast<int>(opposite.size() / 3);
+  patch_of_face.assign(number_of_faces, -1);
+  int number_of_patches = 0;
+  std::vector<int> stack;
+  for(int seed = 0; seed < number_of_faces; ++seed)
+  {
+    if(patch_of_face[seed] >= 0)
+      continue;
+    patch_of_face[seed] = number_of_patches;
+    stack.push_back(seed);
+    while(!stack.empty())
+    {
+      const int face = stack.back();
+      stack.pop_back();
+      for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+        if(opposite[halfedge] >= 0 && patch_of_face[face_of(opposite[halfedge])] < 0)
+        {
+          patch_of_face[face_of(opposite[halfedge])] = number_of_patches;
+          stack.push_back(face_of(opposite[halfedge]));
+        }
+    }
+    ++number_of_patches;
+  }
+  return number_of_patches;
+}
+
+// Sorts the faces by patches, keeping their order inside each patch: face `order[f]` becomes face f.
+inline std::vector<int> face_order_by_patches(const std::vector<int>& patch_of_face, const int number_of_patches,
+                                              std::vector<Patch>& patches)
+{
+  std::vector<int> next_place(static_cast<std::size_t>(number_of_patches) + 1, 0);
+  for(const int patch : patch_of_face)
+    ++next_place[patch + 1];
+  for(int patch = 0; patch < number_of_patches; ++patch)
+    next_place[patch + 1] += next_place[patch];
+
+  patches.resize(number_of_patches);
+  for(int patch = 0; patch < number_of_patches; ++patch)
+    patches[patch].faces = { next_place[patch], next_place[patch + 1] };
+
+  std::vector<int> order(patch_of_face.size());
+  for(std::size_t face = 0; face < patch_of_face.size(); ++face)
+    order[next_place[patch_of_face[face]]++] = static_cast<int>(face);
+  return order;
+}
+
+inline std::vector<int> reorder_opposites(const std::vector<int>& opposite, const std::vector<int>& face_order)
+{
+  std::vector<int> new_face(face_order.size());
+  for(std::size_t face = 0; face < face_order.size(); ++face)
+    new_face[face_order[face]] = static_cast<int>(face);
+
+  std::vector<int> result(opposite.size());
+  for(std::size_t halfedge = 0; halfedge < result.size(); ++halfedge)
+  {
+    const int old_opposite = opposite[3 * static_cast<std::size_t>(face_order[halfedge / 3]) + halfedge % 3];
+    result[halfedge] = old_opposite < 0 ? -1 : 3 * new_face[face_of(old_opposite)] + old_opposite % 3;
+  }
+  return result;
+}
+
+inline void collect_sectors(Cut_surface& surface)
+{
+  surface.sector.assign(surface.angle.size(), -1);
+  for(Patch& patch : surface.patches)
+  {
+    patch.sectors.begin_index = surface.number_of_sectors();
+    for(int halfedge = 3 * patch.faces.begin_index; halfedge < 3 * patch.faces.end_index; ++halfedge)
+    {
+      if(surface.sector[halfedge] >= 0)
+        continue;
+      const int first_corner = clockwise_most_corner(surface.opposite, halfedge);
+      double total_angle = 0;
+      for_each_corner(surface.opposite, first_corner, [&](const int corner)
+      {
+        surface.sector[corner] = surface.number_of_sectors();
+        total_angle += surface.angle[corner];
+      });
+      surface.first_corner.push_back(first_corner);
+      surface.total_angle.push_back(total_angle);
+    }
+    patch.sectors.end_index = surface.number_of_sectors();
+  }
+}
+
+inline void collect_dual_edges(Cut_surface& surface)
+{
+  for(Patch& patch : surface.patches)
+  {
+    patch.dual_edges.begin_index = surface.number_of_dual_edges();
+    for(int halfedge = 3 * patch.faces.begin_index; halfedge < 3 * patch.faces.end_index; ++halfedge)
+    {
+      const int opposite = surface.opposite[halfedge];
+      if(opposite < halfedge)
+        continue;
+      surface.dual_edges.push_back({ halfedge, opposite });
+      surface.transport.push_back(halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI);
+    }
+    patch.dual_edges.end_index = surface.number_of_dual_edges();
+  }
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_PATCH_RESULT_H
+#define CGAL_FRAME_FIELDS_INTERNAL_PATCH_RESULT_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// What a stage says of one patch. For a failure, `sector` is the one at fault, -1 if it is the patch as a whole.
+struct Patch_result
+{
+  Error_code error_code = OK;
+  int sector = -1;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_PATCH_RESULT_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FOR_EACH_PATCH_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FOR_EACH_PATCH_H
+
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+
+#include <CGAL/for_each.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Calls `stage(patch_number)` for every patch and returns the result of the first patch that fails. Each call must
+// write to its own patch only; the output does not depend on the number of threads.
+template <typename ConcurrencyTag, typename Stage>
+Patch_result for_each_patch(const Cut_surface& surface, const Stage& stage)
+{
+  std::vector<int> numbers(surface.patches.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::vector<Patch_result> results(numbers.size());
+  CGAL::for_each<ConcurrencyTag>(numbers, [&](const int patch) -> bool
+  {
+    results[patch] = stage(patch);
+    return results[patch].error_code == OK;
+  });
+  for(const Patch_result& result : results)
+    if(result.error_code != OK)
+      return result;
+  return {};
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FOR_EACH_PATCH_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/prescribed_rotation.h>
+#include <CGAL/Frame_fields/internal/relaxation.h>
+#include <CGAL/Frame_fields/internal/stages.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Tells the visitor which stage starts and measures the stages.
+template <typename NamedParameters>
+class Stage_clock
+{
+public:
+  explicit Stage_clock(const NamedParameters& np)
+    : m_visitor(CGAL::parameters::choose_parameter<Visitor>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor)))
+    , m_start(Clock::now())
+  {}
+
+  void start(const Stage stage)
+  {
+    stop();
+    m_stage = stage;
+    unwrap(m_visitor).start_stage(stage);
+    m_stage_start = Clock::now();
+  }
+
+  void stop()
+  {
+    if(m_stage >= 0)
+      m_seconds[m_stage] += seconds_since(m_stage_start);
+    m_stage = -1;
+  }
+
+  Stage_seconds seconds() const
+  {
+    return { m_seconds[CUT_SURFACE], m_seconds[PRESCRIBED_ROTATION], m_seconds[ORTHOGONAL_FIELD],
+             m_seconds[MATCHING_AND_INDICES], m_seconds[RELAXATION], seconds_since(m_start) };
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                             Default_frame_field_visitor>::type Visitor;
+
+  template <typename T>
+  static T& unwrap(T& visitor) { return visitor; }
+  template <typename T>
+  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
+
+  static double seconds_since(const Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  Visitor m_visitor;
+  Clock::time_point m_start, m_stage_start;
+  int m_stage = -1; // -1 between stages
+  std::array<double, RELAXATION + 1> m_seconds{};
+};
+
+// What the pipeline computes; `alpha` is the orthogonal field, which `gamma` relaxes.
+struct Frame_field
+{
+  std::vector<double> omega;            // per dual edge
+  std::vector<double> alpha;            // per face
+  std::vector<int> matching;            // per dual edge
+  std::vector<int> index;               // per sector
+  std::vector<Branch_rotations> gamma;  // per face
+  int number_of_clamped_faces = 0;
+};
+
+template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
+Patch_result compute_frame_field(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
+                                 StageClock& clock, Frame_field& field)
+{
+  clock.start(PRESCRIBED_ROTATION);
+  Patch_result result = prescribe_rotation<ConcurrencyTag>(surface, options, solver_traits, field.omega);
+  if(result.error_code != OK)
+    return result;
+
+  clock.start(ORTHOGONAL_FIELD);
+  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, solver_traits, field.alpha);
+  if(result.error_code != OK)
+    return result;
+
+  clock.start(MATCHING_AND_INDICES);
+  compute_matching<ConcurrencyTag>(surface, field.omega, field.alpha, field.matching);
+  result = compute_indices<ConcurrencyTag>(surface, field.alpha, field.matching, field.index);
+  if(result.error_code != OK)
+    return result;
+
+  if(!options.relax_orthogonality)
+  {
+    field.gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
+    return {};
+  }
+  clock.start(RELAXATION);
+  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, solver_traits, field.gamma,
+                               field.number_of_clamped_faces);
+}
+
+inline std::vector<int> sharp_corners_of_surface(const Cut_surface& surface, const double bound)
+{
+  std::vector<int> result;
+  for(const Patch& patch : surface.patches)
+  {
+    const std::vector<int> corners = sharp_corners_of_patch(surface, patch, bound);
+    result.insert(result.end(), corners.begin(), corners.end());
+  }
+  return result;
+}
+
+template <typename CutMesh, typename OutputIterator>
+void write_sharp_corners(const CutMesh& cut_mesh, const double bound, const OutputIterator out)
+{
+  write_sectors(cut_mesh, sharp_corners_of_surface(cut_mesh.surface(), bound), out);
+}
+
+template <typename StageClock>
+void write_statistics(const Cut_surface& surface, const Options& options, const Frame_field& field,
+                      const StageClock& clock, Statistics& statistics)
+{
+  statistics.number_of_patches = surface.patches.size();
+  statistics.number_of_sharp_corners = sharp_corners_of_surface(surface, options.sharp_corner_bound).size();
+  statistics.number_of_clamped_faces = field.number_of_clamped_faces;
+  statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
+  statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);
+  statistics.seconds = clock.seconds();
+}
+
+// What the caller did not ask for is not computed.
+template <typename CutMesh>
+void write_sharp_corners(const CutMesh&, double, const CGAL::internal_np::Param_not_found) {}
+
+template <typename StageClock>
+void write_statistics(const Cut_surface&, const Options&, const Frame_field&, const StageClock&,
+                      const CGAL::internal_np::Param_not_found) {}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FRAME_FIELD_H

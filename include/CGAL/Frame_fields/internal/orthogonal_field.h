@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_ORTHOGONAL_FIELD_H
+#define CGAL_FRAME_FIELDS_INTERNAL_ORTHOGONAL_FIELD_H
+
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/assemble.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/smallest_eigenvector.h>
+#include <CGAL/Frame_fields/internal/solve.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+typedef std::complex<double> Complex;
+
+// The angle of the constrained edge of a face, up to quarter turns.
+inline double aligned_alpha(const Cut_surface& surface, const int constrained_halfedge)
+{
+  return std::remainder(halfedge_angle(surface, constrained_halfedge), CGAL_PI / 2);
+}
+
+// The minimization of sum |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the unconstrained faces of one patch
+// (eq. (8) of the paper).
+class Orthogonal_field_system
+{
+public:
+  Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega)
+    : m_surface(surface), m_patch(patch), m_unknown(patch.faces.size(), -1)
+  {
+    m_transport.reserve(patch.dual_edges.size());
+    for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+      m_transport.push_back(std::polar(1., 4 * (surface.transport[e] - omega[e])));
+    for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+      if(surface.constrained_halfedge(f) < 0)
+        m_unknown[f - patch.faces.begin_index] = m_size++;
+  }
+
+  int size() const { return m_size; }
+  int number_of_constrained_faces() const { return m_patch.faces.size() - m_size; }
+
+  // The number of the unknown of a face, -1 if the face is constrained.
+  int unknown(const int face) const { return m_unknown[face - m_patch.faces.begin_index]; }
+
+  Hermitian_matrix<Complex> matrix() const
+  {
+    return assemble<Complex>(m_size, [this](const auto& add)
+    {
+      for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+      {
+        const int i = unknown(face_of(m_surface.dual_edges[e].halfedge));
+        const int j = unknown(face_of(m_surface.dual_edges[e].opposite));
+        if(i >= 0)
+          add(i, i, Complex(1));
+        if(j >= 0)
+          add(j, j, Complex(1));
+        if(i >= 0 && i == j) // a face glued to itself
+          add(i, i, Complex(-2 * transport(e).real()));
+        else if(i >= 0 && j >= 0)
+          add(i, j, -transport(e));
+      }
+    });
+  }
+
+  std::vector<Complex> right_hand_side() const
+  {
+    std::vector<Complex> result(m_size, Complex(0));
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+    {
+      const int face_i = face_of(m_surface.dual_edges[e].halfedge);
+      const int face_j = face_of(m_surface.dual_edges[e].opposite);
+      if(unknown(face_i) >= 0 && unknown(face_j) < 0)
+        result[unknown(face_i)] += transport(e) * constrained_value(face_j);
+      else if(unknown(face_i) < 0 && unknown(face_j) >= 0)
+        result[unknown(face_j)] += std::conj(transport(e)) * constrained_value(face_i);
+    }
+    return result;
+  }
+
+private:
+  const Complex& transport(const int e) const { return m_transport[e - m_patch.dual_edges.begin_index]; }
+
+  Complex constrained_value(const int face) const
+  {
+    return std::polar(1., 4 * aligned_alpha(m_surface, m_surface.constrained_halfedge(face)));
+  }
+
+  const Cut_surface& m_surface;
+  const Patch& m_patch;
+  std::vector<Complex> m_transport; // per dual edge of the patch
+  std::vector<int> m_unknown;       // per face of the patch
+  int m_size = 0;
+};
+
+// Writes alpha on the faces of the patch. A patch without any constrained edge gets the smoothest field of unit norm.
+template <typename SolverTraits>
+Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
+                                       const std::vector<double>& omega, const SolverTraits& solver_traits,
+                                       std::vector<double>& alpha)
+{
+  const Orthogonal_field_system system(surface, patch, omega);
+  auto solver = solver_traits.complex_solver_object();
+  std::vector<Complex> z;
+  const bool is_solved = system.number_of_constrained_faces() > 0
+                       ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
+                       : smallest_eigenvector(solver, system.matrix(), z);
+  if(!is_solved)
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, surface.constrained_halfedge(f))
+                                     : std::arg(z[system.unknown(f)]) / 4;
+  return {};
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_ORTHOGONAL_FIELD_H

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+// List of the named parameters of this package. No include guard: it is read once per use of the macro.
+CGAL_add_named_parameter(sharp_corner_bound_t, sharp_corner_bound, sharp_corner_bound)
+CGAL_add_named_parameter(support_strategy_t, support_strategy, support_strategy)
+CGAL_add_named_parameter(maximum_skewness_t, maximum_skewness, maximum_skewness)
+CGAL_add_named_parameter(orthogonality_weight_t, orthogonality_weight, orthogonality_weight)
+CGAL_add_named_parameter(relax_orthogonality_t, relax_orthogonality, relax_orthogonality)
+CGAL_add_named_parameter(prescribed_rotation_t, prescribed_rotation, prescribed_rotation_map)
+CGAL_add_named_parameter(matching_t, matching, matching_map)
+CGAL_add_named_parameter(skewness_t, skewness, skewness_map)
+CGAL_add_named_parameter(sharp_corner_output_iterator_t, sharp_corner_output_iterator, sharp_corner_output_iterator)
+CGAL_add_named_parameter(statistics_t, statistics, statistics)
+CGAL_add_named_parameter(concurrency_t, concurrency, concurrency_tag)

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_PRESCRIBED_ROTATION_H
+#define CGAL_FRAME_FIELDS_INTERNAL_PRESCRIBED_ROTATION_H
+
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/assemble.h>
+#include <CGAL/Frame_fields/internal/rotation_demand.h>
+#include <CGAL/Frame_fields/internal/solve.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+inline std::vector<int> sharp_corners_of_patch(const Cut_surface& surface, const Patch& patch, const double bound)
+{
+  std::vector<int> result;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    if(is_sharp_corner(surface, s, bound))
+      result.push_back(s);
+  return result;
+}
+
+// The naive fix of Section 3.2 of the paper.
+inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& patch, const double bound,
+                                       std::vector<double>& omega)
+{
+  std::vector<double> share(patch.sectors.size(), 0);
+  for(const int corner : sharp_corners_of_patch(surface, patch, bound))
+  {
+    int number_of_dual_edges = -1; // an open fan has one dual edge less than corners
+    for_each_corner(surface.opposite, surface.first_corner[corner], [&](int) { ++number_of_dual_edges; });
+    share[corner - patch.sectors.begin_index] =
+      rotation_demand_of_sharp_corner(surface.total_angle[corner]) / number_of_dual_edges;
+  }
+  for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    omega[e] = share[surface.sector[surface.dual_edges[e].halfedge] - patch.sectors.begin_index]
+             - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
+}
+
+// Sets omega = D^T lambda with (D D^T) lambda = demand, the least-norm solution of d omega = demand. The first sector of
+// the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
+template <typename Solver>
+bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
+                         Solver solver, std::vector<double>& omega)
+{
+  const int pinned = patch.sectors.begin_index;
+  const auto unknown = [&](const int halfedge) { return surface.sector[halfedge] - pinned - 1; };
+  const int size = patch.sectors.size() - 1;
+
+  const auto emit = [&](const auto& add)
+  {
+    for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    {
+      const int i = unknown(surface.dual_edges[e].halfedge);
+      const int j = unknown(surface.dual_edges[e].opposite);
+      if(i == j) // omega there enters d omega twice, with both signs
+        continue;
+      if(i >= 0)
+        add(i, i, 1.);
+      if(j >= 0)
+        add(j, j, 1.);
+      if(i >= 0 && j >= 0)
+        add(i, j, -1.);
+    }
+  };
+  const std::vector<double> right_hand_side(demand.begin() + pinned + 1, demand.begin() + patch.sectors.end_index);
+  std::vector<double> lambda;
+  if(!factor_and_solve(solver, assemble<double>(size, emit), right_hand_side, lambda))
+    return false;
+
+  const auto value = [&](const int halfedge) { return unknown(halfedge) < 0 ? 0. : lambda[unknown(halfedge)]; };
+  for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    omega[e] = value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite);
+  return true;
+}
+
+// Writes omega on the dual edges of the patch, which must be 0 before (Section 3.2 of the paper).
+template <typename SolverTraits>
+Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch& patch,
+                                         const Support_strategy& strategy, const double bound,
+                                         const SolverTraits& solver_traits, std::vector<double>& demand,
+                                         std::vector<double>& omega)
+{
+  if(strategy.kind() == Support_strategy::NONE)
+    return {};
+  if(strategy.kind() == Support_strategy::LOCAL)
+  {
+    prescribe_rotation_locally(surface, patch, bound, omega);
+    return {};
+  }
+  const std::vector<int> sharp_corners = sharp_corners_of_patch(surface, patch, bound);
+  if(sharp_corners.empty())
+    return {};
+  const int corner_without_receiver =
+    spread_rotation_demand(surface, patch, sharp_corners, strategy, bound, demand);
+  if(corner_without_receiver >= 0)
+    return { ERROR_NO_RECEIVING_SECTOR, corner_without_receiver };
+  if(!least_norm_rotation(surface, patch, demand, solver_traits.real_solver_object(), omega))
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+  return {};
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_PRESCRIBED_ROTATION_H

@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_RELAXATION_H
+#define CGAL_FRAME_FIELDS_INTERNAL_RELAXATION_H
+
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/assemble.h>
+#include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/solve.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The rotation of each pair of opposite branches, gamma0 and gamma1 of Section 4 of the paper.
+typedef std::array<double, 2> Branch_rotations;
+
+// The number of the branch pair (0 or 1) that `alpha` puts along a constrained edge of the face.
+inline int aligned_branch(const Cut_surface& surface, const int constrained_halfedge, const double alpha)
+{
+  const double quarters = (halfedge_angle(surface, constrained_halfedge) - alpha) / (CGAL_PI / 2);
+  return static_cast<int>(std::lround(quarters)) & 1;
+}
+
+// The branch of face j that branch `b` of face i goes to.
+inline int matched_branch(const int b, const int matching) { return b ^ (matching & 1); }
+
+// The minimization of sum r0^2 + r1^2 + weight sum (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
+// a graph whose edges are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
+class Relaxation_system
+{
+public:
+  Relaxation_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
+                    const std::vector<int>& matching, const double orthogonality_weight)
+    : m_surface(surface), m_patch(patch), m_alpha(alpha), m_matching(matching), m_weight(orthogonality_weight)
+  {
+    std::vector<bool> is_fixed = aligned_nodes();
+    fix_one_node_of_each_loose_piece(is_fixed);
+    m_unknown.assign(is_fixed.size(), -1);
+    for(std::size_t node = 0; node < is_fixed.size(); ++node)
+      if(!is_fixed[node])
+        m_unknown[node] = m_size++;
+  }
+
+  // The number of the unknown of a branch of a face, -1 if its rotation is fixed at 0.
+  int unknown(const int face, const int branch) const { return m_unknown[node(face, branch)]; }
+
+  Hermitian_matrix<double> matrix() const
+  {
+    return assemble<double>(m_size, [this](const auto& add)
+    {
+      const auto add_square_of_difference = [&add](const int i, const int j, const double weight)
+      {
+        if(i == j)
+          return;
+        if(i >= 0)
+          add(i, i, weight);
+        if(j >= 0)
+          add(j, j, weight);
+        if(i >= 0 && j >= 0)
+          add(i, j, -weight);
+      };
+      for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+        for(int b = 0; b < 2; ++b)
+          add_square_of_difference(m_unknown[first_node(e, b)], m_unknown[second_node(e, b)], 1);
+      if(m_weight > 0)
+        for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+          add_square_of_difference(unknown(f, 0), unknown(f, 1), m_weight);
+    });
+  }
+
+  std::vector<double> right_hand_side() const
+  {
+    std::vector<double> result(m_size, 0);
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+    {
+      const double r = rotation(m_surface, m_alpha, m_matching, e);
+      for(int b = 0; b < 2; ++b)
+      {
+        const int i = m_unknown[first_node(e, b)], j = m_unknown[second_node(e, b)];
+        if(i >= 0)
+          result[i] += r;
+        if(j >= 0)
+          result[j] -= r;
+      }
+    }
+    return result;
+  }
+
+private:
+  int node(const int face, const int branch) const { return 2 * (face - m_patch.faces.begin_index) + branch; }
+  int first_node(const int e, const int b) const { return node(face_of(m_surface.dual_edges[e].halfedge), b); }
+  int second_node(const int e, const int b) const
+  {
+    return node(face_of(m_surface.dual_edges[e].opposite), matched_branch(b, m_matching[e]));
+  }
+
+  std::vector<bool> aligned_nodes() const
+  {
+    std::vector<bool> is_fixed(2 * static_cast<std::size_t>(m_patch.faces.size()), false);
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+    {
+      const int h = m_surface.constrained_halfedge(f);
+      if(h >= 0)
+        is_fixed[node(f, aligned_branch(m_surface, h, m_alpha[f]))] = true;
+    }
+    return is_fixed;
+  }
+
+  // A connected piece of the graph without fixed node is determined only up to a constant.
+  void fix_one_node_of_each_loose_piece(std::vector<bool>& is_fixed) const
+  {
+    const int number_of_nodes = static_cast<int>(is_fixed.size());
+    std::vector<int> rank(number_of_nodes, 0), parent(number_of_nodes);
+    std::iota(parent.begin(), parent.end(), 0);
+    boost::disjoint_sets<int*, int*> pieces(rank.data(), parent.data());
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+      for(int b = 0; b < 2; ++b)
+        pieces.union_set(first_node(e, b), second_node(e, b));
+    if(m_weight > 0)
+      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+        pieces.union_set(node(f, 0), node(f, 1));
+
+    std::vector<bool> is_piece_fixed(number_of_nodes, false);
+    for(int n = 0; n < number_of_nodes; ++n)
+      if(is_fixed[n])
+        is_piece_fixed[pieces.find_set(n)] = true;
+    for(int n = 0; n < number_of_nodes; ++n)
+      if(!is_piece_fixed[pieces.find_set(n)])
+        is_fixed[n] = is_piece_fixed[pieces.find_set(n)] = true;
+  }
+
+  const Cut_surface& m_surface;
+  const Patch& m_patch;
+  const std::vector<double>& m_alpha;
+  const std::vector<int>& m_matching;
+  double m_weight;
+  std::vector<int> m_unknown; // per node
+  int m_size = 0;
+};
+
+// Brings gamma0 and gamma1 to a distance of at most `maximum_skewness`; returns whether they were farther apart.
+// `fixed_branch` is the one that must stay, -1 if both may move.
+inline bool clamp(Branch_rotations& gamma, const int fixed_branch, const double maximum_skewness)
+{
+  const double skewness = gamma[1] - gamma[0];
+  if(std::abs(skewness) <= maximum_skewness)
+    return false;
+  const double clamped = std::copysign(maximum_skewness, skewness);
+  if(fixed_branch == 0)
+    gamma[1] = gamma[0] + clamped;
+  else if(fixed_branch == 1)
+    gamma[0] = gamma[1] - clamped;
+  else
+  {
+    const double mean = (gamma[0] + gamma[1]) / 2;
+    gamma = { mean - clamped / 2, mean + clamped / 2 };
+  }
+  return true;
+}
+
+// Writes gamma on the faces of the patch and counts the faces that were clamped.
+template <typename SolverTraits>
+Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
+                         const std::vector<int>& matching, const double orthogonality_weight,
+                         const double maximum_skewness, const SolverTraits& solver_traits,
+                         std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
+{
+  const Relaxation_system system(surface, patch, alpha, matching, orthogonality_weight);
+  auto solver = solver_traits.real_solver_object();
+  std::vector<double> solution;
+  if(!factor_and_solve(solver, system.matrix(), system.right_hand_side(), solution))
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+
+  number_of_clamped_faces = 0;
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+  {
+    for(int b = 0; b < 2; ++b)
+      gamma[f][b] = system.unknown(f, b) < 0 ? 0 : solution[system.unknown(f, b)];
+    const int h = surface.constrained_halfedge(f);
+    const int fixed_branch = h < 0 ? -1 : aligned_branch(surface, h, alpha[f]);
+    if(clamp(gamma[f], fixed_branch, maximum_skewness))
+      ++number_of_clamped_faces;
+  }
+  return {};
+}
+
+// sum (r - omega)^2 over the dual edges of an orthogonal field.
+inline double orthogonal_energy(const Cut_surface& surface, const std::vector<double>& omega,
+                                const std::vector<double>& alpha, const std::vector<int>& matching)
+{
+  double energy = 0;
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+  {
+    const double difference = rotation(surface, alpha, matching, e) - omega[e];
+    energy += difference * difference;
+  }
+  return energy;
+}
+
+// sum r0^2 + r1^2 over the dual edges; `alpha` is the field before relaxation.
+inline double relaxed_energy(const Cut_surface& surface, const std::vector<double>& alpha,
+                             const std::vector<int>& matching, const std::vector<Branch_rotations>& gamma)
+{
+  double energy = 0;
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+  {
+    const double r = rotation(surface, alpha, matching, e);
+    const Branch_rotations& gamma_i = gamma[face_of(surface.dual_edges[e].halfedge)];
+    const Branch_rotations& gamma_j = gamma[face_of(surface.dual_edges[e].opposite)];
+    for(int b = 0; b < 2; ++b)
+    {
+      const double r_b = r - gamma_i[b] + gamma_j[matched_branch(b, matching[e])];
+      energy += r_b * r_b;
+    }
+  }
+  return energy;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_RELAXATION_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_ROTATION_DEMAND_H
+#define CGAL_FRAME_FIELDS_INTERNAL_ROTATION_DEMAND_H
+
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+inline bool is_sharp_corner(const Cut_surface& surface, const int sector, const double bound)
+{
+  return surface.total_angle[sector] < bound && surface.is_constrained_sector(sector);
+}
+
+// d omega at a sharp corner: what gives it the positive quarter index nearest to its angle (eq. (3) of the paper).
+inline double rotation_demand_of_sharp_corner(const double total_angle)
+{
+  const double quarters = (std::max)(1., std::round(2 * total_angle / CGAL_PI));
+  return total_angle - quarters * CGAL_PI / 2;
+}
+
+// Walks over the sectors of one patch ring by ring along the edges of its faces.
+class Sector_rings
+{
+public:
+  Sector_rings(const Cut_surface& surface, const Patch& patch)
+    : m_surface(surface), m_patch(patch), m_last_visit(patch.sectors.size(), -1)
+  {}
+
+  // Starts again at `sector`, which is ring 0.
+  void start(const int sector)
+  {
+    ++m_visit;
+    m_ring.assign(1, sector);
+    visit(sector);
+  }
+
+  // Goes one ring further; the result is empty when the patch is exhausted.
+  const std::vector<int>& next()
+  {
+    m_next_ring.clear();
+    for(const int sector : m_ring)
+      for_each_corner(m_surface.opposite, m_surface.first_corner[sector], [this](const int corner)
+      {
+        collect(m_surface.sector[next_of(corner)]);
+        collect(m_surface.sector[previous_of(corner)]);
+      });
+    m_ring.swap(m_next_ring);
+    return m_ring;
+  }
+
+private:
+  bool visit(const int sector)
+  {
+    int& last_visit = m_last_visit[sector - m_patch.sectors.begin_index];
+    const bool is_new = last_visit != m_visit;
+    last_visit = m_visit;
+    return is_new;
+  }
+
+  void collect(const int sector)
+  {
+    if(visit(sector))
+      m_next_ring.push_back(sector);
+  }
+
+  const Cut_surface& m_surface;
+  const Patch& m_patch;
+  std::vector<int> m_last_visit; // per sector of the patch
+  std::vector<int> m_ring, m_next_ring;
+  int m_visit = -1;
+};
+
+inline void remove_sharp_corners(const Cut_surface& surface, const double bound, std::vector<int>& sectors)
+{
+  sectors.erase(std::remove_if(sectors.begin(), sectors.end(),
+                               [&](const int s) { return is_sharp_corner(surface, s, bound); }),
+                sectors.end());
+}
+
+// The sectors that are not sharp corners within `number_of_rings` rings of `corner`, or of the nearest further ring
+// that has any.
+inline std::vector<int> receivers_in_rings(const Cut_surface& surface, const int corner,
+                                           const unsigned int number_of_rings, const double bound,
+                                           Sector_rings& rings)
+{
+  std::vector<int> receivers;
+  rings.start(corner);
+  for(unsigned int k = 1; k <= number_of_rings || receivers.empty(); ++k)
+  {
+    std::vector<int> ring = rings.next();
+    if(ring.empty())
+      break;
+    remove_sharp_corners(surface, bound, ring);
+    receivers.insert(receivers.end(), ring.begin(), ring.end());
+  }
+  return receivers;
+}
+
+// Adds to `demand` (K of the paper) what the sharp corners of the patch ask for and takes it from their receivers.
+// Returns -1, or a sharp corner that has no receiver; the strategies `none` and `local` have no demand.
+inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch,
+                                  const std::vector<int>& sharp_corners, const Support_strategy& strategy,
+                                  const double bound, std::vector<double>& demand)
+{
+  const auto demand_of = [&](const int corner)
+  {
+    return rotation_demand_of_sharp_corner(surface.total_angle[corner]);
+  };
+  const auto take_from = [&](const std::vector<int>& receivers, const double rotation)
+  {
+    for(const int receiver : receivers)
+      demand[receiver] -= rotation / static_cast<double>(receivers.size());
+  };
+
+  if(strategy.kind() == Support_strategy::COMPONENT)
+  {
+    std::vector<int> receivers;
+    for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+      receivers.push_back(s);
+    remove_sharp_corners(surface, bound, receivers);
+    if(receivers.empty())
+      return sharp_corners.front();
+    double sum = 0;
+    for(const int corner : sharp_corners)
+      sum += (demand[corner] = demand_of(corner));
+    take_from(receivers, sum);
+    return -1;
+  }
+
+  Sector_rings rings(surface, patch);
+  for(const int corner : sharp_corners)
+  {
+    const std::vector<int> receivers = receivers_in_rings(surface, corner, strategy.number_of_rings(), bound, rings);
+    if(receivers.empty())
+      return corner;
+    demand[corner] = demand_of(corner);
+    take_from(receivers, demand[corner]);
+  }
+  return -1;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_ROTATION_DEMAND_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_STAGES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_STAGES_H
+
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/for_each_patch.h>
+#include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/orthogonal_field.h>
+#include <CGAL/Frame_fields/internal/prescribed_rotation.h>
+#include <CGAL/Frame_fields/internal/relaxation.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The stages of the pipeline on all patches. Values on dual edges belong to their first halfedge.
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result prescribe_rotation(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
+                                std::vector<double>& omega)
+{
+  omega.assign(surface.number_of_dual_edges(), 0);
+  std::vector<double> demand(surface.number_of_sectors(), 0);
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return prescribe_rotation_in_patch(surface, surface.patches[patch], options.support_strategy,
+                                       options.sharp_corner_bound, solver_traits, demand, omega);
+  });
+}
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
+                                      const SolverTraits& solver_traits, std::vector<double>& alpha)
+{
+  alpha.resize(surface.number_of_faces());
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, solver_traits, alpha);
+  });
+}
+
+template <typename ConcurrencyTag>
+void compute_matching(const Cut_surface& surface, const std::vector<double>& omega, const std::vector<double>& alpha,
+                      std::vector<int>& matching)
+{
+  matching.resize(surface.number_of_dual_edges());
+  for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    match_patch(surface, surface.patches[patch], omega, alpha, matching);
+    return Patch_result();
+  });
+}
+
+template <typename ConcurrencyTag>
+Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
+                             const std::vector<int>& matching, std::vector<int>& index)
+{
+  index.resize(surface.number_of_sectors());
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return indices_in_patch(surface, surface.patches[patch], alpha, matching, index);
+  });
+}
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
+                   const Options& options, const SolverTraits& solver_traits, std::vector<Branch_rotations>& gamma,
+                   int& number_of_clamped_faces)
+{
+  gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
+  std::vector<int> clamped(surface.patches.size(), 0);
+  const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options.orthogonality_weight,
+                       options.maximum_skewness, solver_traits, gamma, clamped[patch]);
+  });
+  number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
+  return result;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_STAGES_H

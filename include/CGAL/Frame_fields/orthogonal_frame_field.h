@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_ORTHOGONAL_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_ORTHOGONAL_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/stages.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+/// \file orthogonal_frame_field.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+computes the orthogonal frame field whose rotation is nearest to a prescribed one (Section 3.3 of
+\cgalCite{cgal:dprcs-ffcm-22}): with \f$ z_i = e^{4 i \alpha_i} \f$ it minimizes
+\f$ \sum |z_i - z_j e^{4 i (c_{ij} - \omega_{ij})}|^2 \f$, where the frame of each face with a constrained edge is
+aligned with that edge.
+
+A patch without any constrained edge gets the field of unit norm with the smallest energy, an eigenvector to the
+smallest eigenvalue of the same hermitian matrix. It is determined up to a common rotation of all frames, and not even
+so if the eigenvalue is multiple.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam AlphaMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param alpha_map gets the angle of the first branch of each face `f`, in radians, counted counter-clockwise from the
+       direction of `halfedge(f, tm)`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{prescribed_rotation_map}
+    \cgalParamDescription{the rotations \f$ \omega_{ij} \f$ that `prescribe_rotation()` computes}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type}
+    \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of the solver traits class}
+    \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
+                   = `double` for symmetric positive definite matrices}
+    \cgalParamDefault{`Eigen_frame_field_solver_traits` if \ref thirdpartyEigen "Eigen" is available and
+                      `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+    \cgalParamDefault{`CGAL::Sequential_tag`}
+    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{matching_map}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch \f$ k + p_{ij} \f$ of the face of its opposite}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
+    \cgalParamDefault{it is not computed}
+    \cgalParamExtra{\f$ p_{ji} = -p_{ij} \f$, and 0 on constrained edges}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
+        `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on opposite halfedges) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+
+One factorization of a hermitian matrix with one row per unconstrained face for each patch.
+
+\sa `relax_frame_field()`
+\sa `singularity_indices()`
+*/
+template <typename TriangleMesh, typename AlphaMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
+                              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
+
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  Result result = cut_mesh.build(false);
+  if(!result)
+    return result;
+  std::vector<double> omega;
+  result = internal::read_prescribed_rotation(cut_mesh, np, omega);
+  if(!result)
+    return result;
+
+  std::vector<double> alpha;
+  result = internal::to_result(cut_mesh, internal::compute_orthogonal_field<Concurrency_tag>(
+    cut_mesh.surface(), omega, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), alpha));
+  if(!result)
+    return result;
+
+  if(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal::matching_t>::value)
+  {
+    std::vector<int> matching;
+    internal::compute_matching<Concurrency_tag>(cut_mesh.surface(), omega, alpha, matching);
+    internal::write_on_dual_edges(cut_mesh, matching, CGAL::parameters::get_parameter(np, internal::matching));
+  }
+  internal::write_on_faces(cut_mesh, alpha, alpha_map);
+  return result;
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_ORTHOGONAL_FRAME_FIELD_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_PRESCRIBE_ROTATION_H
+#define CGAL_FRAME_FIELDS_PRESCRIBE_ROTATION_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/stages.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+/// \file prescribe_rotation.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+computes the rotation \f$ \omega_{ij} \f$ that a frame field should make across each unconstrained edge so that no sharp
+corner becomes a singularity of index \f$ 1/2 \f$ (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
+
+Around a sharp corner of angle \f$ \theta \f$ the rotations sum to \f$ \theta - \pi/2 \f$, which is what index
+\f$ 1/4 \f$ needs; elsewhere they sum to what the support strategy takes back. Among all such rotations this
+one has the smallest \f$ \sum \omega_{ij}^2 \f$. It is exactly zero in patches without sharp corner.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam PrescribedRotationMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param omega_map gets the rotation, in radians, from the face of a halfedge to the face of its opposite;
+       \f$ \omega_{ji} = -\omega_{ij} \f$, and 0 on constrained edges
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharp_corner_bound}
+    \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+    \cgalParamExtra{Beyond \f$ 3 \pi / 4 \f$ a corner gets the multiple of \f$ 1/4 \f$ nearest to its angle.}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_strategy}
+    \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}
+    \cgalParamType{`Support_strategy`}
+    \cgalParamDefault{`Support_strategy::rings(4)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of the solver traits class}
+    \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
+                   = `double` for symmetric positive definite matrices}
+    \cgalParamDefault{`Eigen_frame_field_solver_traits` if \ref thirdpartyEigen "Eigen" is available and
+                      `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+    \cgalParamDefault{`CGAL::Sequential_tag`}
+    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
+        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (not for bounds up to \f$ \pi \f$) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+
+One factorization of a Laplacian of the sectors for each patch with sharp corners.
+
+\sa `orthogonal_frame_field()`
+*/
+template <typename TriangleMesh, typename PrescribedRotationMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap omega_map,
+                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
+
+  const internal::Options options = internal::options_from(np);
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  Result result = internal::check_and_cut(options, cut_mesh);
+  if(!result)
+    return result;
+
+  std::vector<double> omega;
+  result = internal::to_result(cut_mesh, internal::prescribe_rotation<Concurrency_tag>(
+    cut_mesh.surface(), options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), omega));
+  if(result)
+    internal::write_on_dual_edges(cut_mesh, omega, omega_map);
+  return result;
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_PRESCRIBE_ROTATION_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_RELAX_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_RELAX_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/stages.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <vector>
+
+/// \file relax_frame_field.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+turns the two branch pairs of an orthogonal frame field independently of one another to lower the rotation of the field
+(Section 4 of \cgalCite{cgal:dprcs-ffcm-22}): it minimizes
+\f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 + \epsilon \sum \rho_i^2 \f$. In faces with a constrained edge the branch pair along the
+edge stays. The matching and the singularity indices stay what they are.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam AlphaMap a class model of `ReadWritePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam RhoMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param alpha_map holds the orthogonal field of `orthogonal_frame_field()` and gets the angle of the first branch of the
+       relaxed one, in radians
+\param rho_map gets the skewness: the branches of a face stand at \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and
+       \f$ \alpha + 3\pi/2 + \rho \f$
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{matching_map}
+    \cgalParamDescription{the matching \f$ p_{ij} \f$ of the orthogonal field}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
+    \cgalParamDefault{the one that brings each rotation \f$ r_{ij} \f$ nearest to the prescribed rotation}
+  \cgalParamNEnd
+  \cgalParamNBegin{prescribed_rotation_map}
+    \cgalParamDescription{the rotations \f$ \omega_{ij} \f$ of `prescribe_rotation()`, read if `matching_map` is not given}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type}
+    \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
+  \cgalParamNEnd
+  \cgalParamNBegin{orthogonality_weight}
+    \cgalParamDescription{the weight \f$ \epsilon \f$ of the squared skewness in the relaxation}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`1e-2`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_skewness}
+    \cgalParamDescription{the largest \f$ |\rho| \f$ allowed, in radians}
+    \cgalParamType{`double` in \f$ [0, \pi / 2) \f$}
+    \cgalParamDefault{\f$ 0.45 \pi \f$}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of the solver traits class}
+    \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
+                   = `double` for symmetric positive definite matrices}
+    \cgalParamDefault{`Eigen_frame_field_solver_traits` if \ref thirdpartyEigen "Eigen" is available and
+                      `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+    \cgalParamDefault{`CGAL::Sequential_tag`}
+    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
+        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (an angle or rotation that is not finite, a frame that is not
+        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+
+One factorization of a symmetric matrix with two rows per face for each patch.
+
+\sa `cad_frame_field()`
+*/
+template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
+
+  const internal::Options options = internal::options_from(np);
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  Result result = internal::check_and_cut(options, cut_mesh);
+  if(!result)
+    return result;
+
+  std::vector<double> alpha;
+  std::vector<int> matching;
+  result = internal::read_unrelaxed_field(cut_mesh, alpha_map, CGAL::internal_np::Param_not_found(), alpha);
+  if(result)
+    result = internal::read_or_compute_matching<Concurrency_tag>(cut_mesh, np, alpha, matching);
+  if(!result)
+    return result;
+
+  std::vector<internal::Branch_rotations> gamma;
+  int number_of_clamped_faces;
+  result = internal::to_result(cut_mesh, internal::relax<Concurrency_tag>(
+    cut_mesh.surface(), alpha, matching, options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), gamma,
+    number_of_clamped_faces));
+  if(result)
+    internal::write_relaxed_field(cut_mesh, alpha, gamma, alpha_map, rho_map);
+  return result;
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_RELAX_FRAME_FIELD_H
