@@ -65,6 +65,10 @@ struct Statistics
   /// the number of sectors that got a prescribed quarter turn
   std::size_t number_of_sharp_corners = 0;
 
+  /// the number of sectors on constrained edges whose index the repair brought from \f$ 1/2 \f$ or more down to
+  /// \f$ 1/4 \f$
+  std::size_t number_of_repaired_sectors = 0;
+
   /// the number of faces whose skewness was brought back to the maximum
   std::size_t number_of_clamped_faces = 0;
 

@@ -87,6 +87,14 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamType{`Support_strategy`}
     \cgalParamDefault{`Support_strategy::rings(4)`}
   \cgalParamNEnd
+  \cgalParamNBegin{repair_matching}
+    \cgalParamDescription{tells whether the matching is changed until no sector on a constrained edge has an index of
+                          \f$ 1/2 \f$ or more}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+    \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
+                    field at hand.}
+  \cgalParamNEnd
   \cgalParamNBegin{orthogonality_weight}
     \cgalParamDescription{the weight \f$ \epsilon \f$ of the squared skewness in the relaxation}
     \cgalParamType{`double`, not negative}

@@ -75,6 +75,14 @@ so if the eigenvalue is multiple.
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type}
     \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
   \cgalParamNEnd
+  \cgalParamNBegin{repair_matching}
+    \cgalParamDescription{tells whether the matching is changed until no sector on a constrained edge has an index of
+                          \f$ 1/2 \f$ or more}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+    \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
+                    field at hand.}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -104,7 +112,7 @@ so if the eigenvalue is multiple.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on opposite halfedges) or
+        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on opposite halfedges) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 One factorization of a hermitian matrix with one row per unconstrained face for each patch.
@@ -118,8 +126,9 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
+  const internal::Options options = internal::options_from(np);
   internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = cut_mesh.build(false);
+  Result result = internal::check_and_cut(options, cut_mesh);
   if(!result)
     return result;
   std::vector<double> omega;
@@ -135,8 +144,12 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
 
   if(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal::matching_t>::value)
   {
-    std::vector<int> matching;
-    internal::compute_matching<Concurrency_tag>(cut_mesh.surface(), omega, alpha, matching);
+    std::vector<int> matching, index;
+    int number_of_repaired_sectors;
+    result = internal::to_result(cut_mesh, internal::compute_matching_and_indices<Concurrency_tag>(
+      cut_mesh.surface(), omega, alpha, options, matching, index, number_of_repaired_sectors));
+    if(!result)
+      return result;
     internal::write_on_dual_edges(cut_mesh, matching, CGAL::parameters::get_parameter(np, internal::matching));
   }
   internal::write_on_faces(cut_mesh, alpha, alpha_map);

@@ -91,6 +91,14 @@ edge stays. The matching and the singularity indices stay what they are.
     \cgalParamType{`double` in \f$ [0, \pi / 2) \f$}
     \cgalParamDefault{\f$ 0.45 \pi \f$}
   \cgalParamNEnd
+  \cgalParamNBegin{repair_matching}
+    \cgalParamDescription{tells whether a matching that was not given is changed until no sector on a constrained edge has an index of
+                          \f$ 1/2 \f$ or more}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+    \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
+                    field at hand.}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -134,7 +142,7 @@ Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   std::vector<int> matching;
   result = internal::read_unrelaxed_field(cut_mesh, alpha_map, CGAL::internal_np::Param_not_found(), alpha);
   if(result)
-    result = internal::read_or_compute_matching<Concurrency_tag>(cut_mesh, np, alpha, matching);
+    result = internal::read_or_compute_matching<Concurrency_tag>(cut_mesh, np, options, alpha, matching);
   if(!result)
     return result;
 

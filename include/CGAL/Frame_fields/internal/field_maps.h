@@ -144,17 +144,20 @@ Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& 
 }
 
 template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>
-Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const std::vector<double>& alpha,
-                                std::vector<int>& matching)
+Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const Options& options,
+                                const std::vector<double>& alpha, std::vector<int>& matching)
 {
   if(!CGAL::parameters::is_default_parameter<NamedParameters, internal::matching_t>::value)
     return read_from_dual_edges(cut_mesh, "the matching", CGAL::parameters::get_parameter(np, internal::matching),
                                 matching);
   std::vector<double> omega;
   const Result result = read_prescribed_rotation(cut_mesh, np, omega);
-  if(result)
-    compute_matching<ConcurrencyTag>(cut_mesh.surface(), omega, alpha, matching);
-  return result;
+  if(!result)
+    return result;
+  std::vector<int> index;
+  int number_of_repaired_sectors;
+  return to_result(cut_mesh, compute_matching_and_indices<ConcurrencyTag>(
+    cut_mesh.surface(), omega, alpha, options, matching, index, number_of_repaired_sectors));
 }
 
 template <typename CutMesh, typename FaceMap>

@@ -94,6 +94,7 @@ struct Frame_field
   std::vector<int> matching;            // per dual edge
   std::vector<int> index;               // per sector
   std::vector<Branch_rotations> gamma;  // per face
+  int number_of_repaired_sectors = 0;
   int number_of_clamped_faces = 0;
 };
 
@@ -112,8 +113,8 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return result;
 
   clock.start(MATCHING_AND_INDICES);
-  compute_matching<ConcurrencyTag>(surface, field.omega, field.alpha, field.matching);
-  result = compute_indices<ConcurrencyTag>(surface, field.alpha, field.matching, field.index);
+  result = compute_matching_and_indices<ConcurrencyTag>(surface, field.omega, field.alpha, options, field.matching,
+                                                        field.index, field.number_of_repaired_sectors);
   if(result.error_code != OK)
     return result;
 
@@ -150,6 +151,7 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
 {
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_sharp_corners = sharp_corners_of_surface(surface, options.sharp_corner_bound).size();
+  statistics.number_of_repaired_sectors = field.number_of_repaired_sectors;
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
   statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
   statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);

@@ -38,6 +38,7 @@ struct Options
 {
   double sharp_corner_bound;
   Support_strategy support_strategy;
+  bool repair_matching;
   double maximum_skewness;
   double orthogonality_weight;
   bool relax_orthogonality;
@@ -50,6 +51,7 @@ Options options_from(const NamedParameters& np)
   using CGAL::parameters::get_parameter;
   return { static_cast<double>(choose_parameter(get_parameter(np, internal::sharp_corner_bound), 0.75 * CGAL_PI)),
            choose_parameter(get_parameter(np, internal::support_strategy), Support_strategy::rings(4)),
+           static_cast<bool>(choose_parameter(get_parameter(np, internal::repair_matching), true)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_skewness), 0.45 * CGAL_PI)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::orthogonality_weight), 1e-2)),
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };

@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/for_each_patch.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/prescribed_rotation.h>
@@ -55,18 +56,6 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
 }
 
 template <typename ConcurrencyTag>
-void compute_matching(const Cut_surface& surface, const std::vector<double>& omega, const std::vector<double>& alpha,
-                      std::vector<int>& matching)
-{
-  matching.resize(surface.number_of_dual_edges());
-  for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
-  {
-    match_patch(surface, surface.patches[patch], omega, alpha, matching);
-    return Patch_result();
-  });
-}
-
-template <typename ConcurrencyTag>
 Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, std::vector<int>& index)
 {
@@ -75,6 +64,29 @@ Patch_result compute_indices(const Cut_surface& surface, const std::vector<doubl
   {
     return indices_in_patch(surface, surface.patches[patch], alpha, matching, index);
   });
+}
+
+// The matching nearest to omega, made meshable if the options ask for it.
+template <typename ConcurrencyTag>
+Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
+                                          const std::vector<double>& alpha, const Options& options,
+                                          std::vector<int>& matching, std::vector<int>& index,
+                                          int& number_of_repaired_sectors)
+{
+  matching.resize(surface.number_of_dual_edges());
+  index.resize(surface.number_of_sectors());
+  std::vector<int> repaired(surface.patches.size(), 0);
+  const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int number)
+  {
+    const Patch& patch = surface.patches[number];
+    match_patch(surface, patch, omega, alpha, matching);
+    const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
+    if(indices_result.error_code == OK && options.repair_matching)
+      repaired[number] = repair_patch(surface, patch, omega, alpha, matching, index);
+    return indices_result;
+  });
+  number_of_repaired_sectors = std::accumulate(repaired.begin(), repaired.end(), 0);
+  return result;
 }
 
 template <typename ConcurrencyTag, typename SolverTraits>
