@@ -295,16 +295,21 @@ def mesh_solid(body):
     gmsh.model.mesh.generate(2)
 
 
+def is_seam(curve):
+    """Whether the curve only closes a face on itself, as a cylinder's seam does."""
+    return len(gmsh.model.getAdjacencies(1, curve)[0]) < 2
+
+
 def indexed_mesh():
-    """Positions, triangles and the edges of every CAD curve, all by 0-based vertex index."""
+    """Positions, triangles and the edges of every CAD curve that is no seam, all by 0-based vertex index."""
     positions = mesh_positions()
     triangles = [nodes for _, nodes in mesh_triangles()]
     index = {node: i for i, node in enumerate(sorted({n for t in triangles for n in t}))}
     curves = []
     for _, curve in gmsh.model.getEntities(1):
-        _, _, nodes = gmsh.model.mesh.getElements(1, curve)
-        ends = [index[int(n)] for n in nodes[0]] if nodes else []
-        curves.append([tuple(sorted(ends[i:i + 2])) for i in range(0, len(ends), 2)])
+        if not is_seam(curve):
+            ends = [index[int(n)] for n in gmsh.model.mesh.getElements(1, curve)[2][0]]
+            curves.append([tuple(sorted(ends[i:i + 2])) for i in range(0, len(ends), 2)])
     return ([positions[node] for node in index], [tuple(index[n] for n in t) for t in triangles], curves)
 
 
@@ -330,7 +335,7 @@ def feature_edges(points, triangles, curves):
     def mean_dihedral(curve):
         return sum(angle_between(*(normals[t] for t in at_edge[edge])) for edge in curve) / len(curve)
 
-    return sorted({edge for curve in curves if curve and mean_dihedral(curve) > SHARP_DIHEDRAL for edge in curve})
+    return sorted({edge for curve in curves if mean_dihedral(curve) > SHARP_DIHEDRAL for edge in curve})
 
 
 def sector_angles(points, triangles, features):

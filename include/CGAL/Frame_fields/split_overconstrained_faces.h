@@ -114,7 +114,7 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
 
   std::vector<halfedge_descriptor> overconstrained; // one halfedge of each face, kept apart from the changing face range
   std::size_t face_number = 0;
-  for(const auto f : CGAL::faces(tm))
+  for(const auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);
     if(!CGAL::is_triangle(h, tm))

@@ -79,7 +79,7 @@ public:
   }
 
   const Cut_surface& surface() const { return m_surface; }
-  const std::vector<face_descriptor>& faces() const { return m_faces; }
+  const std::vector<face_descriptor>& face_descriptors() const { return m_faces; }
 
   // The mesh's halfedge of a flat index.
   halfedge_descriptor halfedge_of(const int index) const
@@ -129,7 +129,7 @@ private:
 
   Result collect_faces()
   {
-    for(const face_descriptor f : CGAL::faces(m_mesh))
+    for(const face_descriptor f : faces(m_mesh))
     {
       if(m_faces.size() >= static_cast<std::size_t>(INT_MAX / 3))
         return failure(ERROR_MESH_TOO_LARGE, "more than " + std::to_string(m_faces.size()) + " faces");

@@ -56,7 +56,7 @@ template <typename CutMesh, typename FaceMap, typename Value>
 void write_on_faces(const CutMesh& cut_mesh, const std::vector<Value>& values, const FaceMap map)
 {
   for(std::size_t f = 0; f < values.size(); ++f)
-    put(map, cut_mesh.faces()[f], values[f]);
+    put(map, cut_mesh.face_descriptors()[f], values[f]);
 }
 
 // Writes the values of the dual edges with opposite signs on their two halfedges, and 0 on all other halfedges.
@@ -91,10 +91,10 @@ void write_sectors(const CutMesh& cut_mesh, const std::vector<int>& sectors, Out
 template <typename CutMesh, typename FaceMap>
 Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
 {
-  values.reserve(cut_mesh.faces().size());
-  for(std::size_t f = 0; f < cut_mesh.faces().size(); ++f)
+  values.reserve(cut_mesh.face_descriptors().size());
+  for(std::size_t f = 0; f < cut_mesh.face_descriptors().size(); ++f)
   {
-    values.push_back(get(map, cut_mesh.faces()[f]));
+    values.push_back(get(map, cut_mesh.face_descriptors()[f]));
     if(!std::isfinite(values.back()))
       return failure(ERROR_WRONG_FIELD, std::string(name) + " is not finite in "
                                         + cut_mesh.description_of_face(static_cast<int>(f)));
@@ -169,7 +169,7 @@ Result read_skewness(const CutMesh& cut_mesh, const FaceMap rho_map, std::vector
 template <typename CutMesh>
 Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not_found, std::vector<double>& rho)
 {
-  rho.assign(cut_mesh.faces().size(), 0);
+  rho.assign(cut_mesh.face_descriptors().size(), 0);
   return {};
 }
 
@@ -212,8 +212,8 @@ void write_relaxed_field(const CutMesh& cut_mesh, const std::vector<double>& alp
 {
   for(std::size_t f = 0; f < alpha.size(); ++f)
   {
-    put(alpha_map, cut_mesh.faces()[f], alpha[f] + gamma[f][0]);
-    put(rho_map, cut_mesh.faces()[f], gamma[f][1] - gamma[f][0]);
+    put(alpha_map, cut_mesh.face_descriptors()[f], alpha[f] + gamma[f][0]);
+    put(rho_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
   }
 }
 
