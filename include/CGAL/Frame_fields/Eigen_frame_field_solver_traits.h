@@ -39,8 +39,10 @@ template <typename Scalar_>
 class Eigen_positive_definite_solver
 {
 public:
+  /// the type of the entries
   typedef Scalar_ Scalar;
 
+  /// constructs a solver that holds no factorization.
   Eigen_positive_definite_solver() : m_factorization(std::make_unique<Factorization>()) {}
 
   /// factors `matrix`; returns `false` if a pivot vanishes.
@@ -76,11 +78,19 @@ private:
 /// \cgalModels{FrameFieldSolverTraits}
 struct Eigen_frame_field_solver_traits
 {
+  /// the solver of symmetric systems
   typedef Eigen_positive_definite_solver<double> Real_solver;
+
+  /// the solver of complex hermitian systems
   typedef Eigen_positive_definite_solver<std::complex<double> > Complex_solver;
+
+  /// Solvers share nothing.
   typedef CGAL::Tag_true Has_independent_solvers;
 
+  /// returns a new solver.
   Real_solver real_solver_object() const { return Real_solver(); }
+
+  /// returns a new solver.
   Complex_solver complex_solver_object() const { return Complex_solver(); }
 };
 

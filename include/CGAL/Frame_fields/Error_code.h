@@ -63,14 +63,14 @@ inline const char* get_error_message(int error_code)
 /// \ingroup PkgFrame_fieldsRef
 ///
 /// is what the functions of this package return: an error code, and for a failure a message that names the element at
-/// fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by its coordinates.
-/// When `error_code` is not `OK`, no output map was written and no output iterator was advanced.
+/// fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by the coordinates of one of
+/// its vertices. When `error_code` is not `OK`, no output map was written and no output iterator was advanced.
 struct Result
 {
   /// `OK` or the reason for the failure
   Error_code error_code = OK;
 
-  /// is empty on success
+  /// empty on success, otherwise `get_error_message(error_code)` and the element at fault
   std::string message;
 
   /// returns `true` on success.

@@ -29,6 +29,7 @@ namespace Frame_fields {
 template <typename Scalar_>
 struct Hermitian_matrix
 {
+  /// the type of the entries
   typedef Scalar_ Scalar;
 
   std::vector<int> column_begin; ///< one more than there are columns

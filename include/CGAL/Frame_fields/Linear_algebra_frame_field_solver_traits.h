@@ -29,7 +29,7 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// solves real symmetric positive definite systems by a solver of CGAL's.
+/// solves real symmetric positive definite systems by a solver of \cgal.
 ///
 /// \cgalModels{PositiveDefiniteSolver}
 ///
@@ -38,11 +38,13 @@ template <typename LinearAlgebraTraits>
 class Linear_algebra_real_solver
 {
 public:
+  /// the type of the entries
   typedef double Scalar;
 
+  /// keeps a copy of `traits`.
   explicit Linear_algebra_real_solver(const LinearAlgebraTraits& traits = LinearAlgebraTraits()) : m_traits(traits) {}
 
-  /// factors `matrix`.
+  /// factors `matrix`; returns what `LinearAlgebraTraits::factor()` returns.
   bool factor(const Hermitian_matrix<double>& matrix)
   {
     const int size = matrix.size();
@@ -53,7 +55,8 @@ public:
     return m_traits.factor(*m_matrix, m_denominator);
   }
 
-  /// sets `solution` such that the factored matrix times `solution` is `right_hand_side`.
+  /// sets `solution` such that the factored matrix times `solution` is `right_hand_side`; returns what
+  /// `LinearAlgebraTraits::linear_solver()` returns.
   bool solve(const std::vector<double>& right_hand_side, std::vector<double>& solution)
   {
     const int size = static_cast<int>(right_hand_side.size());
@@ -95,14 +98,17 @@ template <typename RealSolver>
 class Doubled_real_solver
 {
 public:
+  /// the type of the entries
   typedef std::complex<double> Scalar;
 
+  /// takes over `solver`, which solves the real systems.
   explicit Doubled_real_solver(RealSolver&& solver) : m_solver(std::move(solver)) {}
 
-  /// factors `matrix`.
+  /// factors `matrix`; returns whether the real solver did.
   bool factor(const Hermitian_matrix<Scalar>& matrix) { return m_solver.factor(doubled(matrix)); }
 
-  /// sets `solution` such that the factored matrix times `solution` is `right_hand_side`.
+  /// sets `solution` such that the factored matrix times `solution` is `right_hand_side`; returns whether the real
+  /// solver did.
   bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
   {
     std::vector<double> b(2 * right_hand_side.size()), x;
@@ -159,8 +165,9 @@ private:
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// makes a solver of CGAL's usable here. The named parameter `sparse_linear_solver` wraps such a solver by itself, so
-/// `sparse_linear_solver(CGAL::Eigen_solver_traits<...>())` is all that a caller writes.
+/// makes a solver of \cgal usable here. The functions of this package wrap whatever is given as named parameter
+/// `sparse_linear_solver` and has no member type `Real_solver`, so `sparse_linear_solver(CGAL::Eigen_solver_traits<...>())`
+/// is all that a caller writes.
 ///
 /// \cgalModels{FrameFieldSolverTraits}
 ///
@@ -170,16 +177,24 @@ template <typename LinearAlgebraTraits>
 class Linear_algebra_frame_field_solver_traits
 {
 public:
+  /// the solver of symmetric systems
   typedef Linear_algebra_real_solver<LinearAlgebraTraits> Real_solver;
+
+  /// the solver of complex hermitian systems, which doubles them
   typedef Doubled_real_solver<Real_solver> Complex_solver;
-  typedef CGAL::Tag_false Has_independent_solvers; // copies of `CGAL::Eigen_solver_traits` share one Eigen object
+
+  /// Copies of `CGAL::Eigen_solver_traits` share one Eigen object, so patches are solved one after the other.
+  typedef CGAL::Tag_false Has_independent_solvers;
 
   /// keeps a copy of `traits`, from which each solver is copied.
   explicit Linear_algebra_frame_field_solver_traits(const LinearAlgebraTraits& traits = LinearAlgebraTraits())
     : m_traits(traits)
   {}
 
+  /// returns a solver with a copy of the traits.
   Real_solver real_solver_object() const { return Real_solver(m_traits); }
+
+  /// returns a solver with a copy of the traits.
   Complex_solver complex_solver_object() const { return Complex_solver(real_solver_object()); }
 
 private:

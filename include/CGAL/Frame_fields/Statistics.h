@@ -38,6 +38,7 @@ enum Stage
 /// \cgalModels{FrameFieldVisitor}
 struct Default_frame_field_visitor
 {
+  /// does nothing.
   void start_stage(Stage) {}
 };
 
@@ -46,12 +47,12 @@ struct Default_frame_field_visitor
 /// holds the wall-clock seconds of each stage of `cad_frame_field()`.
 struct Stage_seconds
 {
-  double cut_surface = 0;
-  double prescribed_rotation = 0;
-  double orthogonal_field = 0;
-  double matching_and_indices = 0;
-  double relaxation = 0;
-  double total = 0; ///< from the call to the return, with the writing of the output maps
+  double cut_surface = 0;          ///< of `CUT_SURFACE`
+  double prescribed_rotation = 0;  ///< of `PRESCRIBED_ROTATION`
+  double orthogonal_field = 0;     ///< of `ORTHOGONAL_FIELD`
+  double matching_and_indices = 0; ///< of `MATCHING_AND_INDICES`
+  double relaxation = 0;           ///< of `RELAXATION`, 0 if the field is not relaxed
+  double total = 0;                ///< from the call to the return, with the writing of the output maps
 };
 
 /// \ingroup PkgFrame_fieldsRef
@@ -62,12 +63,15 @@ struct Statistics
   /// the number of connected pieces of the surface cut along its constrained edges
   std::size_t number_of_patches = 0;
 
-  /// the number of sectors that got a prescribed quarter turn
+  /// the number of sharp corners, as `sharp_corners()` lists them, whatever the support strategy
   std::size_t number_of_sharp_corners = 0;
 
   /// the number of sectors on constrained edges whose index the repair brought from \f$ 1/2 \f$ or more down to
   /// \f$ 1/4 \f$
   std::size_t number_of_repaired_sectors = 0;
+
+  /// the number of sharp corners that did not get the index nearest to their angle
+  std::size_t number_of_unnatural_corners = 0;
 
   /// the number of faces whose skewness was brought back to the maximum
   std::size_t number_of_clamped_faces = 0;
@@ -75,9 +79,10 @@ struct Statistics
   /// \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ of the orthogonal field
   double energy_orthogonal = 0;
 
-  /// \f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 \f$ of the final field
+  /// \f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 \f$ of the final field, after the skewness was clamped
   double energy_relaxed = 0;
 
+  /// the time spent in each stage
   Stage_seconds seconds;
 };
 

@@ -22,26 +22,36 @@ namespace Frame_fields {
 /// tells where the rotation prescribed at a sharp corner is compensated (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
 ///
 /// The prescribed rotations of a patch sum to zero, so what a sharp corner \f$ v \f$ gets, \f$ \theta_v - \pi/2 \f$,
-/// must be taken from other sectors, the *receivers* of the corner.
+/// must be taken from other sectors, the *receivers* of the corner. With `rings()` and `component()` the receivers are
+/// never sharp corners themselves, so that each sharp corner keeps exactly what it got.
 class Support_strategy
 {
 public:
-  enum Kind { NONE, LOCAL, RINGS, COMPONENT };
+  /// lists the strategies.
+  enum Kind
+  {
+    NONE,      ///< see `none()`
+    LOCAL,     ///< see `local()`
+    RINGS,     ///< see `rings()`
+    COMPONENT  ///< see `component()`
+  };
 
   /// prescribes no rotation: the classical smoothest field.
   static Support_strategy none() { return Support_strategy(NONE); }
 
-  /// shares the rotation evenly among the dual edges of the sharp corner.
+  /// shares the rotation evenly among the dual edges of the sharp corner, so that the other ends of these edges are
+  /// the receivers. Where two sharp corners share an edge, their shares add up on it. No linear system is solved.
   static Support_strategy local() { return Support_strategy(LOCAL); }
 
-  /// takes the rotation from the sectors that are reached from the corner along at most `number_of_rings` edges of the
-  /// patch, and from the nearest ring that has a receiver if there is none among them.
+  /// takes the rotation in equal parts from the sectors that are reached from the corner along at most
+  /// `number_of_rings` edges of the patch and are not sharp corners; if there is none among them, from those in the
+  /// nearest ring that has any.
   static Support_strategy rings(const unsigned int number_of_rings)
   {
     return Support_strategy(RINGS, number_of_rings);
   }
 
-  /// takes the rotation from all sectors of the patch.
+  /// takes the rotation of all sharp corners of the patch in equal parts from all its other sectors.
   static Support_strategy component() { return Support_strategy(COMPONENT); }
 
   /// returns the kind of the strategy.

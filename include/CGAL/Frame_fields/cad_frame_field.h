@@ -33,8 +33,8 @@ namespace Frame_fields {
 /*!
 \ingroup PkgFrame_fieldsRef
 
-computes a frame field that is aligned with all feature edges, has no singularity of index \f$ 1/2 \f$ at sharp
-corners, and is as smooth as its skewness allows (\cgalCite{cgal:dprcs-ffcm-22}).
+computes a smooth frame field that is aligned with all feature and border edges, and that is kept from singularities of
+index \f$ 1/2 \f$ at sharp corners (\cgalCite{cgal:dprcs-ffcm-22}).
 
 It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogonal_frame_field()`,
 `singularity_indices()` and `relax_frame_field()` do one after the other, with the same output.
@@ -80,7 +80,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
-    \cgalParamExtra{Beyond \f$ 3 \pi / 4 \f$ a corner gets the multiple of \f$ 1/4 \f$ nearest to its angle.}
+    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$
+                    quadrangles, that is to have index \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always 1.}
   \cgalParamNEnd
   \cgalParamNBegin{support_strategy}
     \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}
@@ -118,22 +119,24 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
                       `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
   \cgalParamNEnd
   \cgalParamNBegin{concurrency_tag}
-    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamDescription{tells whether patches are solved in parallel; the output is the same, bit for bit}
     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
     \cgalParamDefault{`CGAL::Sequential_tag`}
-    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+    \cgalParamExtra{`CGAL::Parallel_tag` requires TBB. Without effect if `Has_independent_solvers` of the solver traits
+                    is `CGAL::Tag_false`.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an instance of a visitor class, told when a stage starts}
     \cgalParamType{a class model of `FrameFieldVisitor`}
-    \cgalParamDefault{`Default_frame_field_visitor`}
+    \cgalParamDefault{`Default_frame_field_visitor()`}
     \cgalParamExtra{Pass `std::ref(visitor)` to have the instance itself called and not a copy.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \cgalNamedParamsBegin{Output Named Parameters}
   \cgalParamNBegin{matching_map}
-    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch \f$ k + p_{ij} \f$ of the face of its opposite}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch
+                          \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{it is not written}
@@ -154,7 +157,7 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the energies and the seconds of each stage}
-    \cgalParamType{`std::reference_wrapper<Statistics>`}
+    \cgalParamType{`std::reference_wrapper<Statistics>`, that is `std::ref(s)` for an object `s` of type `Statistics`}
     \cgalParamDefault{they are not computed}
     \cgalParamExtra{Set on success only.}
   \cgalParamNEnd
@@ -164,11 +167,15 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (not for bounds up to \f$ \pi \f$) or
+        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (only for bounds of \f$ \pi \f$ and more) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
-Three sparse factorizations for each patch, of as many rows as it has sectors, faces and twice its faces. What is not
-spent there is \cgalBigO{n} for \f$ n \f$ faces, in time and in memory.
+For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
+and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, and with
+`Support_strategy::rings()` the time to visit the rings of each sharp corner.
+
+\sa `split_overconstrained_faces()`
+\sa `frame_vectors()`
 */
 template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename IndexMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -65,11 +65,12 @@ computes the four branches of the frame of a face as unit vectors, at the angles
 \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$ from the direction of `halfedge(f, tm)`,
 counter-clockwise about the normal of the face.
 
-\tparam TriangleMesh a model of `HalfedgeGraph` and `FaceGraph`
+\tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param f a triangle of `tm` whose edges have a positive length; if it has no area, it takes some plane through its edge
 \param tm the mesh
+\param f a triangle of `tm` whose edges have a positive length; if its area is zero, the vectors lie in some plane
+       through its edges
 \param alpha the angle of the first branch, in radians
 \param rho the skewness, in radians
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below

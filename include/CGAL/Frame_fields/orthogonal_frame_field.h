@@ -38,7 +38,7 @@ aligned with that edge.
 
 A patch without any constrained edge gets the field of unit norm with the smallest energy, an eigenvector to the
 smallest eigenvalue of the same hermitian matrix. It is determined up to a common rotation of all frames, and not even
-so if the eigenvalue is multiple.
+so if the eigenvalue is multiple. It does not depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
@@ -91,16 +91,18 @@ so if the eigenvalue is multiple.
                       `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
   \cgalParamNEnd
   \cgalParamNBegin{concurrency_tag}
-    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamDescription{tells whether patches are solved in parallel; the output is the same, bit for bit}
     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
     \cgalParamDefault{`CGAL::Sequential_tag`}
-    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+    \cgalParamExtra{`CGAL::Parallel_tag` requires TBB. Without effect if `Has_independent_solvers` of the solver traits
+                    is `CGAL::Tag_false`.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \cgalNamedParamsBegin{Output Named Parameters}
   \cgalParamNBegin{matching_map}
-    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch \f$ k + p_{ij} \f$ of the face of its opposite}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch
+                          \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{it is not computed}
@@ -115,7 +117,8 @@ so if the eigenvalue is multiple.
         `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on opposite halfedges) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
-One factorization of a hermitian matrix with one row per unconstrained face for each patch.
+For each patch one sparse factorization of a hermitian matrix with one row for each face without constrained edge, and
+one solve; up to 100 solves in a patch without any constrained edge.
 
 \sa `relax_frame_field()`
 \sa `singularity_indices()`

@@ -18,6 +18,8 @@
 
 namespace CGAL {
 namespace Frame_fields {
+
+/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
@@ -56,8 +58,11 @@ struct Named_parameters
 #undef CGAL_add_named_parameter
 };
 
+/// \endcond
+
 namespace parameters {
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z)                                            \
   template <typename K>                                                              \
   Named_parameters<K, internal::X> Z(const K& k)                                     \
@@ -75,10 +80,12 @@ namespace parameters {
   }
 #include <CGAL/Frame_fields/internal/reused_parameters_interface.h>
 #undef CGAL_add_named_parameter
+/// \endcond
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// returns a pack that holds the parameters of both arguments; a parameter in both takes its value from `np1`.
+/// returns a sequence of named parameters that holds those of both arguments; a parameter that is in both takes its
+/// value from `np1`.
 ///
 /// Chains that start in `CGAL::parameters` cannot continue with the parameters of this package; this function brings
 /// such a chain together with one that starts in `CGAL::Frame_fields::parameters`.
@@ -90,6 +97,7 @@ join(const CGAL::Named_function_parameters<T1, Tag1>& np1,
   return { np1.v, np2 };
 }
 
+/// \cond SKIP_IN_MANUAL
 template <typename T1, typename Tag1, typename Base1, typename T2, typename Tag2, typename Base2>
 auto join(const CGAL::Named_function_parameters<T1, Tag1, Base1>& np1,
           const CGAL::Named_function_parameters<T2, Tag2, Base2>& np2)
@@ -98,6 +106,7 @@ auto join(const CGAL::Named_function_parameters<T1, Tag1, Base1>& np1,
   typedef typename decltype(joined_base)::Pack Pack;
   return Named_parameters<T1, Tag1, Pack>(np1.v, joined_base);
 }
+/// \endcond
 
 } // namespace parameters
 } // namespace Frame_fields

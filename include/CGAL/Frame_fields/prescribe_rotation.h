@@ -32,12 +32,13 @@ namespace Frame_fields {
 /*!
 \ingroup PkgFrame_fieldsRef
 
-computes the rotation \f$ \omega_{ij} \f$ that a frame field should make across each unconstrained edge so that no sharp
-corner becomes a singularity of index \f$ 1/2 \f$ (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
+computes the rotation \f$ \omega_{ij} \f$ that a frame field should make across each unconstrained edge so that sharp
+corners do not become singularities of index \f$ 1/2 \f$ (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
 
-Around a sharp corner of angle \f$ \theta \f$ the rotations sum to \f$ \theta - \pi/2 \f$, which is what index
-\f$ 1/4 \f$ needs; elsewhere they sum to what the support strategy takes back. Among all such rotations this
-one has the smallest \f$ \sum \omega_{ij}^2 \f$. It is exactly zero in patches without sharp corner.
+With the strategies `Support_strategy::rings()` and `Support_strategy::component()` the rotations sum to
+\f$ \theta - \pi/2 \f$ counter-clockwise around a sharp corner of angle \f$ \theta < 3\pi/4 \f$, which is what index
+\f$ 1/4 \f$ needs; elsewhere they sum to what the strategy takes back. Among all rotations with these sums this one has
+the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly zero in patches without sharp corner.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam PrescribedRotationMap a class model of `WritablePropertyMap` with
@@ -72,7 +73,8 @@ one has the smallest \f$ \sum \omega_{ij}^2 \f$. It is exactly zero in patches w
     \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
-    \cgalParamExtra{Beyond \f$ 3 \pi / 4 \f$ a corner gets the multiple of \f$ 1/4 \f$ nearest to its angle.}
+    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$
+                    quadrangles, that is to have index \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always 1.}
   \cgalParamNEnd
   \cgalParamNBegin{support_strategy}
     \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}
@@ -87,10 +89,11 @@ one has the smallest \f$ \sum \omega_{ij}^2 \f$. It is exactly zero in patches w
                       `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
   \cgalParamNEnd
   \cgalParamNBegin{concurrency_tag}
-    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamDescription{tells whether patches are solved in parallel; the output is the same, bit for bit}
     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
     \cgalParamDefault{`CGAL::Sequential_tag`}
-    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+    \cgalParamExtra{`CGAL::Parallel_tag` requires TBB. Without effect if `Has_independent_solvers` of the solver traits
+                    is `CGAL::Tag_false`.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -98,10 +101,13 @@ one has the smallest \f$ \sum \omega_{ij}^2 \f$. It is exactly zero in patches w
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (not for bounds up to \f$ \pi \f$) or
+        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (only for bounds of \f$ \pi \f$ and more) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
-One factorization of a Laplacian of the sectors for each patch with sharp corners.
+One sparse factorization for each patch with sharp corners, of a matrix with one row less than the patch has sectors;
+none with `Support_strategy::none()` and `Support_strategy::local()`.
+
+\sa `sharp_corners()`
 
 \sa `orthogonal_frame_field()`
 */

@@ -34,7 +34,9 @@ namespace Frame_fields {
 turns the two branch pairs of an orthogonal frame field independently of one another to lower the rotation of the field
 (Section 4 of \cgalCite{cgal:dprcs-ffcm-22}): it minimizes
 \f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 + \epsilon \sum \rho_i^2 \f$. In faces with a constrained edge the branch pair along the
-edge stays. The matching and the singularity indices stay what they are.
+edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, both pairs are turned back by the same angle until it
+does not; in a face with a constrained edge only the free pair is. The matching and the singularity indices stay what
+they are.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam AlphaMap a class model of `ReadWritePropertyMap` with
@@ -107,10 +109,11 @@ edge stays. The matching and the singularity indices stay what they are.
                       `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
   \cgalParamNEnd
   \cgalParamNBegin{concurrency_tag}
-    \cgalParamDescription{enables to solve the patches in parallel; the output is the same, bit for bit}
+    \cgalParamDescription{tells whether patches are solved in parallel; the output is the same, bit for bit}
     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
     \cgalParamDefault{`CGAL::Sequential_tag`}
-    \cgalParamExtra{Without effect if the solvers of the solver traits share state.}
+    \cgalParamExtra{`CGAL::Parallel_tag` requires TBB. Without effect if `Has_independent_solvers` of the solver traits
+                    is `CGAL::Tag_false`.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -122,7 +125,10 @@ edge stays. The matching and the singularity indices stay what they are.
         aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
-One factorization of a symmetric matrix with two rows per face for each patch.
+For each patch one sparse factorization of a symmetric matrix with one row for each branch pair that is free to turn, at
+most two for each face, and one solve.
+
+\sa `orthogonal_frame_field()`
 
 \sa `cad_frame_field()`
 */

@@ -28,7 +28,9 @@ namespace Frame_fields {
 \ingroup PkgFrame_fieldsRef
 
 lists the sharp corners of a mesh: the sectors on constrained edges whose total angle is smaller than a bound
-(Section 3.1 of \cgalCite{cgal:dprcs-ffcm-22}). Faces with several constrained edges are accepted.
+(Section 3.1 of \cgalCite{cgal:dprcs-ffcm-22}).
+
+Faces with several constrained edges are accepted. A sector angle does not change when such a face is split.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam OutputIterator a model of `OutputIterator` that accepts `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`

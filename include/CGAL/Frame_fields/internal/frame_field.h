@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/relaxation.h>
@@ -24,6 +25,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -150,7 +152,12 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
                       const StageClock& clock, Statistics& statistics)
 {
   statistics.number_of_patches = surface.patches.size();
-  statistics.number_of_sharp_corners = sharp_corners_of_surface(surface, options.sharp_corner_bound).size();
+  const std::vector<int> corners = sharp_corners_of_surface(surface, options.sharp_corner_bound);
+  statistics.number_of_sharp_corners = corners.size();
+  statistics.number_of_unnatural_corners = std::count_if(corners.begin(), corners.end(), [&](const int s)
+  {
+    return is_unnatural_corner(surface, field.index, options.sharp_corner_bound, s);
+  });
   statistics.number_of_repaired_sectors = field.number_of_repaired_sectors;
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
   statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);

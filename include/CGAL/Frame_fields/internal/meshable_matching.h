@@ -14,10 +14,13 @@
 
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/rotation_demand.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -36,13 +39,28 @@ inline bool is_unmeshable(const Cut_surface& surface, const std::vector<int>& in
   return index[sector] > maximum_meshable_index && surface.is_constrained_sector(sector);
 }
 
-// Changes the matching of one patch until no constrained sector has an index of 1/2 or more, at the least cost in
-// sum (r - omega)^2 for the given alpha.
+// 4 I nearest to what the angle of a sector asks for: 0 inside, 1 at the corner of a square, 0 on a straight border.
+inline int natural_index(const Cut_surface& surface, const int sector)
+{
+  if(!surface.is_constrained_sector(sector))
+    return 0;
+  const double quarters = std::round(2 * surface.total_angle[sector] / CGAL_PI);
+  return (std::min)(maximum_meshable_index, 2 - static_cast<int>(quarters));
+}
+
+// A sharp corner that did not get the index its angle asks for.
+inline bool is_unnatural_corner(const Cut_surface& surface, const std::vector<int>& index, const double bound,
+                                const int sector)
+{
+  return is_sharp_corner(surface, sector, bound) && index[sector] != natural_index(surface, sector);
+}
+
+// Changes the matching of one patch such that singularities leave the sectors where they must not be, at the least cost
+// in sum (r - omega)^2 for the given alpha.
 //
 // Lowering p_ij by one moves an index of 1/4 from the sector at one end of the edge to the sector at its other end. Moving
-// the excess of the unmeshable sectors to sectors that have room is therefore a flow on the graph of sectors and edges,
-// and its cost is convex on each edge: successive shortest paths, with potentials that keep all arc lengths
-// non-negative, find the cheapest one. Each path lowers the total excess by one.
+// indices is therefore a flow on the graph of sectors and edges, and its cost is convex on each edge: successive
+// shortest paths, with potentials that keep all arc lengths non-negative, find the cheapest one. Each path moves 1/4.
 class Meshable_matching
 {
 public:
@@ -50,7 +68,7 @@ public:
                     const std::vector<double>& alpha, std::vector<int>& matching, std::vector<int>& index)
     : m_surface(surface), m_patch(patch), m_omega(omega), m_alpha(alpha), m_matching(matching), m_index(index)
     , m_potential(patch.sectors.size(), 0), m_distance(patch.sectors.size()), m_arrival(patch.sectors.size())
-    , m_dual_edge_of(3 * patch.faces.size(), -1)
+    , m_dual_edge_of(3 * static_cast<std::size_t>(patch.faces.size()), -1)
   {
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     {
@@ -59,20 +77,31 @@ public:
     }
   }
 
-  // Returns whether the sector is meshable in the end. It fails only if no sector of the patch has room.
-  bool repair(const int sector)
+  // Moves what a constrained sector has above the largest meshable index to sectors that stay at or below it. Returns
+  // whether the sector is meshable in the end; it fails only if no sector of the patch has room.
+  bool remove_excess(const int sector)
   {
+    const auto has_room = [this](const int s) { return m_index[s] < maximum_meshable_index; };
     while(m_index[sector] > maximum_meshable_index)
-    {
-      const int receiver = find_cheapest_receiver(sector);
-      if(receiver < 0)
+      if(!move_index(sector, OUT, has_room))
         return false;
-      move_index(sector, receiver);
-    }
     return true;
   }
 
+  // Brings a sharp corner to its natural index by moving indices from or to sectors that get nearer to theirs, as far as
+  // there are any.
+  void make_natural(const int sector)
+  {
+    const int natural = natural_index(m_surface, sector);
+    const auto has_too_much = [this](const int s) { return m_index[s] > natural_index(m_surface, s); };
+    const auto has_too_little = [this](const int s) { return m_index[s] < natural_index(m_surface, s); };
+    while(m_index[sector] < natural && move_index(sector, IN, has_too_much)) {}
+    while(m_index[sector] > natural && move_index(sector, OUT, has_too_little)) {}
+  }
+
 private:
+  enum Direction { OUT, IN };
+
   int& dual_edge_of(const int halfedge) { return m_dual_edge_of[halfedge - 3 * m_patch.faces.begin_index]; }
   int local(const int sector) const { return sector - m_patch.sectors.begin_index; }
 
@@ -85,8 +114,35 @@ private:
     return CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
   }
 
-  // Dijkstra's algorithm from `sector` up to the first sector that has room; -1 if there is none.
-  int find_cheapest_receiver(const int sector)
+  // The same less the difference of the potentials, which is negative only by rounding errors.
+  double reduced_cost(const int halfedge)
+  {
+    const int from = local(m_surface.sector[halfedge]), to = local(m_surface.sector[m_surface.opposite[halfedge]]);
+    return (std::max)(0., cost(halfedge) + m_potential[from] - m_potential[to]);
+  }
+
+  // Moves an index of 1/4 from `sector` to the cheapest sector that is accepted, or from there to `sector`. Returns
+  // whether there is one.
+  template <typename Accepts>
+  bool move_index(const int sector, const Direction direction, const Accepts& accepts)
+  {
+    const int other_end = find_cheapest(sector, direction, accepts);
+    if(other_end < 0)
+      return false;
+    for(int s = other_end; s != sector; s = m_surface.sector[m_arrival[local(s)]])
+    {
+      const int e = dual_edge_of(m_arrival[local(s)]);
+      const bool is_first_halfedge = m_surface.dual_edges[e].halfedge == m_arrival[local(s)];
+      m_matching[e] += (is_first_halfedge == (direction == OUT)) ? -1 : 1;
+    }
+    m_index[sector] += (direction == OUT) ? -1 : 1;
+    m_index[other_end] += (direction == OUT) ? 1 : -1;
+    return true;
+  }
+
+  // Dijkstra's algorithm from `sector` up to the first sector that is accepted; -1 if there is none.
+  template <typename Accepts>
+  int find_cheapest(const int sector, const Direction direction, const Accepts& accepts)
   {
     typedef std::pair<double, int> Entry; // distance, sector
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
@@ -95,51 +151,39 @@ private:
     queue.push({ 0, sector });
     while(!queue.empty())
     {
-      const auto [distance, nearest] = queue.top();
+      const double distance = queue.top().first;
+      const int nearest = queue.top().second;
       queue.pop();
       if(distance > m_distance[local(nearest)])
         continue;
-      if(m_index[nearest] < maximum_meshable_index)
+      if(nearest != sector && accepts(nearest))
       {
-        update_potentials(distance);
+        update_potentials(direction, distance);
         return nearest;
       }
-      for_each_corner(m_surface.opposite, m_surface.first_corner[nearest], [&, distance = distance, nearest = nearest]
-                      (const int corner)
+      for_each_corner(m_surface.opposite, m_surface.first_corner[nearest], [&](const int corner)
       {
         if(m_surface.is_constrained(corner))
           return;
-        const int neighbor = m_surface.sector[m_surface.opposite[corner]];
-        const double reduced_cost = (std::max)(
-          0., cost(corner) + m_potential[local(nearest)] - m_potential[local(neighbor)]); // 0 but for rounding errors
-        if(distance + reduced_cost < m_distance[local(neighbor)])
+        const int opposite = m_surface.opposite[corner];
+        const int neighbor = m_surface.sector[opposite];
+        const double new_distance = distance + reduced_cost(direction == OUT ? corner : opposite);
+        if(new_distance < m_distance[local(neighbor)])
         {
-          m_distance[local(neighbor)] = distance + reduced_cost;
+          m_distance[local(neighbor)] = new_distance;
           m_arrival[local(neighbor)] = corner;
-          queue.push({ distance + reduced_cost, neighbor });
+          queue.push({ new_distance, neighbor });
         }
       });
     }
     return -1;
   }
 
-  void update_potentials(const double distance_of_receiver)
+  void update_potentials(const Direction direction, const double distance_of_end)
   {
+    const double sign = direction == OUT ? 1 : -1;
     for(std::size_t s = 0; s < m_potential.size(); ++s)
-      m_potential[s] += (std::min)(m_distance[s], distance_of_receiver);
-  }
-
-  // Lowers p along the path that the last search took from `sector` to `receiver`.
-  void move_index(const int sector, const int receiver)
-  {
-    for(int s = receiver; s != sector; s = m_surface.sector[m_arrival[local(s)]])
-    {
-      const int halfedge = m_arrival[local(s)];
-      const int e = dual_edge_of(halfedge);
-      m_matching[e] += m_surface.dual_edges[e].halfedge == halfedge ? -1 : 1;
-    }
-    --m_index[sector];
-    ++m_index[receiver];
+      m_potential[s] += sign * (std::min)(m_distance[s], distance_of_end);
   }
 
   const Cut_surface& m_surface;
@@ -150,24 +194,33 @@ private:
   std::vector<int>& m_index;
   std::vector<double> m_potential; // per sector of the patch
   std::vector<double> m_distance;  // per sector of the patch
-  std::vector<int> m_arrival;      // per sector of the patch: the halfedge from the sector before it on its path
+  std::vector<int> m_arrival;      // per sector of the patch: a halfedge at the sector before it on its path
   std::vector<int> m_dual_edge_of; // per halfedge of the patch
 };
 
-// Makes the matching of the patch meshable and keeps its indices up to date. Returns how many sectors were repaired.
+// Makes the matching of the patch meshable and its sharp corners natural, and keeps its indices up to date. Returns how
+// many sectors changed from unmeshable to meshable.
 inline int repair_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
-                        const std::vector<double>& alpha, std::vector<int>& matching, std::vector<int>& index)
+                        const std::vector<double>& alpha, const double sharp_corner_bound,
+                        std::vector<int>& matching, std::vector<int>& index)
 {
-  std::vector<int> unmeshable;
+  std::vector<int> unmeshable, unnatural;
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
     if(is_unmeshable(surface, index, s))
       unmeshable.push_back(s);
-  if(unmeshable.empty())
+    else if(is_unnatural_corner(surface, index, sharp_corner_bound, s))
+      unnatural.push_back(s);
+  }
+  if(unmeshable.empty() && unnatural.empty())
     return 0;
 
   Meshable_matching meshable_matching(surface, patch, omega, alpha, matching, index);
-  return static_cast<int>(std::count_if(unmeshable.begin(), unmeshable.end(),
-                                        [&](const int s) { return meshable_matching.repair(s); }));
+  const auto number_of_repaired_sectors = std::count_if(
+    unmeshable.begin(), unmeshable.end(), [&](const int s) { return meshable_matching.remove_excess(s); });
+  for(const int s : unnatural)
+    meshable_matching.make_natural(s);
+  return static_cast<int>(number_of_repaired_sectors);
 }
 
 } // namespace internal

@@ -82,7 +82,8 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
     match_patch(surface, patch, omega, alpha, matching);
     const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
     if(indices_result.error_code == OK && options.repair_matching)
-      repaired[number] = repair_patch(surface, patch, omega, alpha, matching, index);
+      repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
+                                      index);
     return indices_result;
   });
   number_of_repaired_sectors = std::accumulate(repaired.begin(), repaired.end(), 0);
