@@ -166,8 +166,8 @@ private:
 /// \ingroup PkgFrame_fieldsSolver
 ///
 /// makes a solver of \cgal usable here. The functions of this package wrap whatever is given as named parameter
-/// `sparse_linear_solver` and has no member type `Real_solver`, so `sparse_linear_solver(CGAL::Eigen_solver_traits<...>())`
-/// is all that a caller writes.
+/// `sparse_linear_solver` and has no member type `Real_solver`, so
+/// `sparse_linear_solver(CGAL::Eigen_solver_traits<...>())` is all that a caller writes.
 ///
 /// \cgalModels{FrameFieldSolverTraits}
 ///

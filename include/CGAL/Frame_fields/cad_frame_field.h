@@ -80,8 +80,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
-    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$
-                    quadrangles, that is to have index \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always 1.}
+    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold
+                    \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$ quadrangles, that is to have index
+                    \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always one quadrangle and index \f$ 1/4 \f$.}
   \cgalParamNEnd
   \cgalParamNBegin{support_strategy}
     \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}
@@ -171,8 +172,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
-and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, and with
-`Support_strategy::rings()` the time to visit the rings of each sharp corner.
+and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, but for two things:
+`Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for each
+quarter index that it moves, \cgalBigO{n \log n} at most.
 
 \sa `split_overconstrained_faces()`
 \sa `frame_vectors()`

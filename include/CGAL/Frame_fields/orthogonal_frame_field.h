@@ -83,6 +83,11 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
     \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
                     field at hand.}
   \cgalParamNEnd
+  \cgalParamNBegin{sharp_corner_bound}
+    \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -114,8 +119,8 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on opposite halfedges) or
-        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on
+        opposite halfedges) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a hermitian matrix with one row for each face without constrained edge, and
 one solve; up to 100 solves in a patch without any constrained edge.

@@ -73,8 +73,9 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
     \cgalParamDescription{the angle under which a sector is a sharp corner, in radians}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
-    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$
-                    quadrangles, that is to have index \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always 1.}
+    \cgalParamExtra{A sharp corner of angle \f$ \theta \f$ is meant to hold
+                    \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$ quadrangles, that is to have index
+                    \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always one quadrangle and index \f$ 1/4 \f$.}
   \cgalParamNEnd
   \cgalParamNBegin{support_strategy}
     \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}

@@ -33,8 +33,8 @@ namespace Frame_fields {
 
 turns the two branch pairs of an orthogonal frame field independently of one another to lower the rotation of the field
 (Section 4 of \cgalCite{cgal:dprcs-ffcm-22}): it minimizes
-\f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 + \epsilon \sum \rho_i^2 \f$. In faces with a constrained edge the branch pair along the
-edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, both pairs are turned back by the same angle until it
+\f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 + \epsilon \sum \rho_i^2 \f$. In faces with a constrained edge the branch pair
+along the edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, both pairs are turned back by the same angle until it
 does not; in a face with a constrained edge only the free pair is. The matching and the singularity indices stay what
 they are.
 
@@ -94,12 +94,17 @@ they are.
     \cgalParamDefault{\f$ 0.45 \pi \f$}
   \cgalParamNEnd
   \cgalParamNBegin{repair_matching}
-    \cgalParamDescription{tells whether a matching that was not given is changed until no sector on a constrained edge has an index of
-                          \f$ 1/2 \f$ or more}
+    \cgalParamDescription{tells whether a matching that was not given is changed until no sector on a constrained edge
+                          has an index of \f$ 1/2 \f$ or more}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
     \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
                     field at hand.}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharp_corner_bound}
+    \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}

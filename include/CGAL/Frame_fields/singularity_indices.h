@@ -33,7 +33,7 @@ namespace Frame_fields {
 
 computes the singularity index of each sector of a frame field,
 \f$ I = (\sum r_{ij} - \theta) / 2\pi + 1 \f$, less \f$ 1/2 \f$ for a sector on a constrained edge
-(eq. (3) of \cgalCite{cgal:dprcs-ffcm-22}).
+(Equation (3) of \cgalCite{cgal:dprcs-ffcm-22}).
 
 A quadrangle mesh that follows the field has \f$ 4 - 4I \f$ quadrangles at a sector that is not on a constrained edge and
 \f$ 2 - 4I \f$ at one that is. So an index of 0 is regular, \f$ 1/4 \f$ stands for the corner of a square or an inner
