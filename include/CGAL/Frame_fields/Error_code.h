@@ -26,7 +26,7 @@ enum Error_code
 {
   OK,                                ///< Success
   ERROR_EMPTY_MESH,                  ///< The mesh has no face
-  ERROR_MESH_TOO_LARGE,              ///< The mesh has more than 2^31 / 3 faces
+  ERROR_MESH_TOO_LARGE,              ///< The mesh has more than 2^31 / 6 faces
   ERROR_NON_TRIANGULAR_MESH,         ///< A face is not a triangle
   ERROR_NON_FINITE_COORDINATE,       ///< A coordinate is infinite or not a number
   ERROR_ZERO_LENGTH_EDGE,            ///< The two ends of an edge have the same coordinates

@@ -204,12 +204,13 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
     return internal::to_result(cut_mesh, field_result);
   clock.stop();
 
+  // What may allocate comes first, so that the maps are written together or not at all.
+  internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound,
+                                get_parameter(np, internal::sharp_corner_output_iterator));
   internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, rho_map);
   internal::write_on_sectors(cut_mesh, field.index, index_map);
   internal::write_on_dual_edges(cut_mesh, field.matching, get_parameter(np, internal::matching));
   internal::write_on_dual_edges(cut_mesh, field.omega, get_parameter(np, internal::prescribed_rotation));
-  internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound,
-                                get_parameter(np, internal::sharp_corner_output_iterator));
   internal::write_statistics(cut_mesh.surface(), options, field, clock, get_parameter(np, internal::statistics));
   return {};
 }

@@ -127,11 +127,14 @@ private:
     CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
+  // The matrix of the relaxation has up to 6 entries for each face, numbered by `int`.
+  static constexpr std::size_t maximum_number_of_faces = INT_MAX / 6;
+
   Result collect_faces()
   {
     for(const face_descriptor f : faces(m_mesh))
     {
-      if(m_faces.size() >= static_cast<std::size_t>(INT_MAX / 3))
+      if(m_faces.size() >= maximum_number_of_faces)
         return failure(ERROR_MESH_TOO_LARGE, "more than " + std::to_string(m_faces.size()) + " faces");
       put(m_face_number, f, static_cast<int>(m_faces.size()));
       const halfedge_descriptor h = halfedge(f, m_mesh);

@@ -59,18 +59,22 @@ void write_on_faces(const CutMesh& cut_mesh, const std::vector<Value>& values, c
     put(map, cut_mesh.face_descriptors()[f], values[f]);
 }
 
-// Writes the values of the dual edges with opposite signs on their two halfedges, and 0 on all other halfedges.
+// Writes the values of the dual edges with opposite signs on their two halfedges, and 0 on all other halfedges. It
+// allocates nothing, so that it cannot fail between two maps.
 template <typename CutMesh, typename Value, typename HalfedgeMap>
 void write_on_dual_edges(const CutMesh& cut_mesh, const std::vector<Value>& values, const HalfedgeMap map)
 {
   const Cut_surface& surface = cut_mesh.surface();
-  std::vector<Value> on_halfedges(surface.number_of_halfedges(), Value(0));
+  cut_mesh.for_each_halfedge([&](const auto h, const int i)
+  {
+    if(i < 0 || surface.is_constrained(i))
+      put(map, h, Value(0));
+  });
   for(std::size_t e = 0; e < values.size(); ++e)
   {
-    on_halfedges[surface.dual_edges[e].halfedge] = values[e];
-    on_halfedges[surface.dual_edges[e].opposite] = -values[e];
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].halfedge), values[e]);
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].opposite), -values[e]);
   }
-  cut_mesh.for_each_halfedge([&](const auto h, const int i) { put(map, h, i < 0 ? Value(0) : on_halfedges[i]); });
 }
 
 // Writes the values of the sectors on all their halfedges, and 0 on border halfedges.

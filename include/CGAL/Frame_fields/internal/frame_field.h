@@ -25,7 +25,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -152,12 +151,16 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
                       const StageClock& clock, Statistics& statistics)
 {
   statistics.number_of_patches = surface.patches.size();
-  const std::vector<int> corners = sharp_corners_of_surface(surface, options.sharp_corner_bound);
-  statistics.number_of_sharp_corners = corners.size();
-  statistics.number_of_unnatural_corners = std::count_if(corners.begin(), corners.end(), [&](const int s)
+  statistics.number_of_sharp_corners = 0;
+  statistics.number_of_unnatural_corners = 0;
+  for(int sector = 0; sector < surface.number_of_sectors(); ++sector)
   {
-    return is_unnatural_corner(surface, field.index, options.sharp_corner_bound, s);
-  });
+    if(!is_sharp_corner(surface, sector, options.sharp_corner_bound))
+      continue;
+    ++statistics.number_of_sharp_corners;
+    if(field.index[sector] != natural_index(surface, sector))
+      ++statistics.number_of_unnatural_corners;
+  }
   statistics.number_of_repaired_sectors = field.number_of_repaired_sectors;
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
   statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);

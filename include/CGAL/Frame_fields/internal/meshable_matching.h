@@ -140,15 +140,20 @@ private:
     return true;
   }
 
-  // Dijkstra's algorithm from `sector` up to the first sector that is accepted; -1 if there is none.
+  // Dijkstra's algorithm with reduced costs from `sector`, until no sector that is not reached yet can be cheaper than
+  // the cheapest accepted one; -1 if none is accepted. With `IN` the paths run backward, and potentials change sign.
   template <typename Accepts>
   int find_cheapest(const int sector, const Direction direction, const Accepts& accepts)
   {
-    typedef std::pair<double, int> Entry; // distance, sector
+    typedef std::pair<double, int> Entry; // reduced distance, sector
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    std::fill(m_distance.begin(), m_distance.end(), std::numeric_limits<double>::infinity());
+    std::fill(m_distance.begin(), m_distance.end(), infinity());
     m_distance[local(sector)] = 0;
     queue.push({ 0, sector });
+
+    const double least_potential = least_accepted_potential(sector, direction, accepts);
+    int cheapest = -1;
+    double least_cost = infinity();
     while(!queue.empty())
     {
       const double distance = queue.top().first;
@@ -156,10 +161,12 @@ private:
       queue.pop();
       if(distance > m_distance[local(nearest)])
         continue;
-      if(nearest != sector && accepts(nearest))
+      if(!(distance + least_potential < least_cost))
+        break;
+      if(nearest != sector && accepts(nearest) && distance + signed_potential(direction, nearest) < least_cost)
       {
-        update_potentials(direction, distance);
-        return nearest;
+        cheapest = nearest;
+        least_cost = distance + signed_potential(direction, nearest);
       }
       for_each_corner(m_surface.opposite, m_surface.first_corner[nearest], [&](const int corner)
       {
@@ -176,7 +183,26 @@ private:
         }
       });
     }
-    return -1;
+    if(cheapest >= 0)
+      update_potentials(direction, m_distance[local(cheapest)]);
+    return cheapest;
+  }
+
+  template <typename Accepts>
+  double least_accepted_potential(const int sector, const Direction direction, const Accepts& accepts) const
+  {
+    double least = infinity();
+    for(int s = m_patch.sectors.begin_index; s < m_patch.sectors.end_index; ++s)
+      if(s != sector && accepts(s))
+        least = (std::min)(least, signed_potential(direction, s));
+    return least;
+  }
+
+  static double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  double signed_potential(const Direction direction, const int sector) const
+  {
+    return direction == OUT ? m_potential[local(sector)] : -m_potential[local(sector)];
   }
 
   void update_potentials(const Direction direction, const double distance_of_end)
