@@ -42,12 +42,23 @@ void mark_unconstrained(const Map map, const Edge e)
     put(map, e, false);
 }
 
+// A point inside the triangle: its centroid, or on a degenerate triangle whose centroid is a vertex some other point.
+template <typename Point, typename GeomTraits>
+Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTraits& traits)
+{
+  const Point centroid = traits.construct_centroid_3_object()(p, q, r);
+  if(centroid != p && centroid != q && centroid != r)
+    return centroid;
+  return traits.construct_barycenter_3_object()(p, 2, q, 1, r, 1);
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef
 
-splits each face with two or three constrained edges into three at its centroid, so that no face has more than one
+splits each face with two or three constrained edges into three at its centroid (at another point if the face is degenerate
+and its centroid is one of its vertices), so that no face has more than one
 constrained edge, as all other functions of this package require (Section 3.3 of \cgalCite{cgal:dprcs-ffcm-22}).
 
 A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. It is the
@@ -127,10 +138,10 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
 
   for(const halfedge_descriptor h : overconstrained)
   {
-    const auto centroid = traits.construct_centroid_3_object()(
-      get(points, source(h, tm)), get(points, target(h, tm)), get(points, target(next(h, tm), tm)));
+    const typename Geom_traits::Point_3 center = internal::point_inside<typename Geom_traits::Point_3>(
+      get(points, source(h, tm)), get(points, target(h, tm)), get(points, target(next(h, tm), tm)), traits);
     const halfedge_descriptor to_center = CGAL::Euler::add_center_vertex(h, tm);
-    put(points, target(to_center, tm), centroid);
+    put(points, target(to_center, tm), center);
     halfedge_descriptor spoke = to_center;
     do
     {

@@ -1,0 +1,149 @@
+#include "cad_frame_field/Console.h"
+#include "cad_frame_field/Failure.h"
+#include "cad_frame_field/Field.h"
+#include "cad_frame_field/Mesh.h"
+#include "cad_frame_field/Model.h"
+#include "cad_frame_field/Options.h"
+#include "cad_frame_field/Soup.h"
+#include "cad_frame_field/Summary.h"
+#include "cad_frame_field/feature_edges.h"
+#include "cad_frame_field/print_table.h"
+#include "cad_frame_field/sectors.h"
+#include "cad_frame_field/write_file.h"
+#include "cad_frame_field/write_ply.h"
+#include "cad_frame_field/write_report.h"
+#include "cad_frame_field/write_vtp.h"
+
+#include <CGAL/Frame_fields.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <vector>
+
+template <typename Function>
+double seconds_of(const Function& function)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  function();
+  return timer.time();
+}
+
+void check_outputs(const Options& options)
+{
+  for(const auto& path : { options.ply, options.vtp, options.report })
+    if(path)
+      check_output_path(*path);
+}
+
+Model read_model(const Options& options, Console& console)
+{
+  console.show_progress("reading " + options.model);
+  return make_model(options.model, read_soup(options.model), console);
+}
+
+Feature_map mark_features(const Options& options, Model& model, Console& console)
+{
+  return options.features ? mark_listed_features(*options.features, model, console)
+                          : mark_sharp_features(options.feature_angle, model);
+}
+
+void split_faces(Mesh& mesh, const Feature_map is_feature, Summary& summary)
+{
+  summary.faces = mesh.number_of_faces();
+  summary.vertices = mesh.number_of_vertices();
+  summary.feature_edges = count_features(mesh, is_feature);
+  summary.split_faces = CGAL::Frame_fields::split_overconstrained_faces(
+    mesh, CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature));
+  summary.faces_after_split = mesh.number_of_faces();
+}
+
+void summarize_baseline(const Options& options, const Mesh& mesh, const Feature_map is_feature,
+                        const std::vector<Sector>& all_sectors, Console& console, Summary& summary)
+{
+  console.show_progress("computing the field without correction, for comparison");
+  const Baseline_index_map index = compute_baseline_index(mesh, is_feature, options);
+  summary.unmeshable_before = find_unmeshable_sectors(mesh, is_feature, all_sectors, index).size();
+}
+
+void write_meshes(const Options& options, Mesh& mesh, const Feature_map is_feature,
+                  const std::vector<Sector>& all_sectors, const Field& field, Console& console)
+{
+  console.show_progress("writing");
+  if(options.ply)
+    write_file(*options.ply, [&](std::ostream& out)
+               { write_ply(out, mesh, is_feature, field, options.writes_ascii); });
+  if(options.vtp)
+    write_file(*options.vtp, [&](std::ostream& out)
+               { write_vtp(out, vtp_content(mesh, is_feature, all_sectors, field)); });
+}
+
+Summary run(const Options& options)
+{
+  check_outputs(options);
+  Console console(options.is_quiet);
+  Summary summary;
+
+  Model model;
+  summary.seconds_reading = seconds_of([&] { model = read_model(options, console); });
+  Mesh& mesh = model.mesh;
+  const Feature_map is_feature = mark_features(options, model, console);
+  split_faces(mesh, is_feature, summary);
+  const std::vector<Sector> all_sectors = sectors(mesh, is_feature);
+
+  if(options.computes_baseline)
+    summary.seconds_baseline = seconds_of([&]
+      { summarize_baseline(options, mesh, is_feature, all_sectors, console, summary); });
+  const Field field = compute_field(mesh, is_feature, options, console);
+  summarize_field(mesh, is_feature, all_sectors, field, summary);
+
+  summary.seconds_writing = seconds_of([&]
+    { write_meshes(options, mesh, is_feature, all_sectors, field, console); });
+  summary.warnings = console.warnings();
+  if(options.report)
+    write_file(*options.report, [&](std::ostream& out) { write_report(out, options, summary); });
+  return summary;
+}
+
+void check_standard_output()
+{
+  std::cout.flush();
+  if(!std::cout)
+    throw Failure(BAD_FILE, "the standard output cannot be written");
+}
+
+int fail(const Exit_code exit_code, const char* const message)
+{
+  std::cerr << "cad_frame_field: error: " << message << std::endl;
+  return exit_code;
+}
+
+int main(const int argc, char** const argv)
+try
+{
+  const std::optional<Options> options = read_options(argc, argv);
+  if(options)
+  {
+    const Summary summary = run(*options);
+    if(!options->is_quiet)
+      print_table(summary);
+  }
+  check_standard_output();
+  return DONE;
+}
+catch(const Failure& failure)
+{
+  return fail(failure.exit_code, failure.what());
+}
+catch(const std::bad_alloc&)
+{
+  return fail(NOT_SOLVED, "the memory is exhausted; take a coarser mesh or a larger machine");
+}
+catch(const std::exception& error)
+{
+  return fail(NOT_SOLVED, error.what());
+}

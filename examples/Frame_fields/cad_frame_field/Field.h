@@ -1,0 +1,96 @@
+#ifndef CAD_FRAME_FIELD_FIELD_H
+#define CAD_FRAME_FIELD_FIELD_H
+
+#include "Console.h"
+#include "Failure.h"
+#include "Mesh.h"
+#include "Options.h"
+
+#include <CGAL/Frame_fields.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/tags.h>
+
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+// A frame field on a mesh, in property maps that CGAL writes to PLY files under their names.
+struct Field
+{
+  explicit Field(Mesh& mesh)
+    : alpha(mesh.add_property_map<Face, double>("f:alpha").first)
+    , rho(mesh.add_property_map<Face, double>("f:rho").first)
+    , matching(mesh.add_property_map<Halfedge, int>("h:matching").first)
+    , prescribed_rotation(mesh.add_property_map<Halfedge, double>("h:prescribed_rotation").first)
+    , index(mesh.add_property_map<Halfedge, int>("h:index").first)
+  {}
+
+  Mesh::Property_map<Face, double> alpha, rho;
+  Mesh::Property_map<Halfedge, int> matching;
+  Mesh::Property_map<Halfedge, double> prescribed_rotation;
+  Mesh::Property_map<Halfedge, int> index;
+  std::vector<Halfedge> sharp_corners;
+  CGAL::Frame_fields::Statistics statistics;
+};
+
+inline Exit_code exit_code_of(const CGAL::Frame_fields::Error_code error_code)
+{
+  switch(error_code)
+  {
+    case CGAL::Frame_fields::ERROR_WRONG_PARAMETER:            return BAD_USAGE;
+    case CGAL::Frame_fields::ERROR_NO_RECEIVING_SECTOR:        return NOT_SOLVED;
+    case CGAL::Frame_fields::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return NOT_SOLVED;
+    default:                                                   return BAD_FILE;
+  }
+}
+
+inline void check(const CGAL::Frame_fields::Result& result, const Options& options)
+{
+  if(!result)
+    throw Failure(exit_code_of(result.error_code), options.model + ": " + result.message);
+}
+
+inline double radians(const double degrees)
+{
+  return degrees * CGAL_PI / 180;
+}
+
+inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Options& options, Console& console)
+{
+  namespace parameters = CGAL::Frame_fields::parameters;
+  Field field(mesh);
+  const auto np = parameters::edge_is_constrained_map(is_feature)
+                    .support_strategy(support_strategy_from(options.support))
+                    .sharp_corner_bound(radians(options.sharp_corner_bound))
+                    .repair_matching(options.repairs_matching)
+                    .relax_orthogonality(options.relaxes_orthogonality)
+                    .matching_map(field.matching)
+                    .prescribed_rotation_map(field.prescribed_rotation)
+                    .sharp_corner_output_iterator(std::back_inserter(field.sharp_corners))
+                    .statistics(std::ref(field.statistics))
+                    .concurrency_tag(CGAL::Parallel_if_available_tag())
+                    .visitor(Stage_visitor(console));
+  check(CGAL::Frame_fields::cad_frame_field(mesh, field.alpha, field.rho, field.index, np), options);
+  return field;
+}
+
+typedef boost::property_map<Mesh, CGAL::dynamic_halfedge_property_t<int> >::const_type Baseline_index_map;
+
+// The indices of the field without any correction.
+inline Baseline_index_map compute_baseline_index(const Mesh& mesh, const Feature_map is_feature, const Options& options)
+{
+  namespace parameters = CGAL::Frame_fields::parameters;
+  const auto unused = get(CGAL::dynamic_face_property_t<double>(), mesh);
+  const Baseline_index_map index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
+  const auto np = parameters::edge_is_constrained_map(is_feature)
+                    .support_strategy(CGAL::Frame_fields::Support_strategy::none())
+                    .repair_matching(false)
+                    .relax_orthogonality(false)
+                    .concurrency_tag(CGAL::Parallel_if_available_tag());
+  check(CGAL::Frame_fields::cad_frame_field(mesh, unused, unused, index, np), options);
+  return index;
+}
+
+#endif // CAD_FRAME_FIELD_FIELD_H

@@ -1,0 +1,183 @@
+#ifndef CAD_FRAME_FIELD_OPTIONS_H
+#define CAD_FRAME_FIELD_OPTIONS_H
+
+#include "Failure.h"
+#include "known_extensions.h"
+
+#include <CGAL/Frame_fields/Support_strategy.h>
+
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+struct Options
+{
+  std::string model;
+  std::optional<std::string> features;
+  double feature_angle; // degrees
+  std::string support;
+  double sharp_corner_bound; // degrees
+  bool repairs_matching;
+  bool relaxes_orthogonality;
+  bool computes_baseline;
+
+  std::optional<std::string> ply, vtp, report;
+  bool writes_ascii;
+  bool is_quiet;
+};
+
+inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::string& text)
+{
+  using CGAL::Frame_fields::Support_strategy;
+  if(text == "none")
+    return Support_strategy::none();
+  if(text == "local")
+    return Support_strategy::local();
+  if(text == "component")
+    return Support_strategy::component();
+
+  const std::string prefix = "rings:", digits = text.substr((std::min)(prefix.size(), text.size()));
+  unsigned int number_of_rings;
+  if(text.compare(0, prefix.size(), prefix) != 0 || digits.empty()
+     || !std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isdigit(c); })
+     || !boost::conversion::try_lexical_convert(digits, number_of_rings))
+    throw Failure(BAD_USAGE, "--support is '" + text + "' and must be none, local, rings:K or component");
+  return Support_strategy::rings(number_of_rings);
+}
+
+inline boost::program_options::options_description option_descriptions()
+{
+  namespace po = boost::program_options;
+  const auto file = [] { return po::value<std::string>()->value_name("FILE"); };
+  po::options_description options("Options", 100);
+  options.add_options()
+    ("features", file(),
+     "read the feature edges: two vertex indices of MODEL a line, counted from 0; # starts a comment")
+    ("feature-angle", po::value<double>()->value_name("DEG")->default_value(40, "40"),
+     "without --features: edges whose faces' normals differ by DEG degrees or more are features")
+    ("support", po::value<std::string>()->value_name("S")->default_value("rings:4"),
+     "where the rotation prescribed at sharp corners is compensated: none, local, rings:K or component")
+    ("sharp-corner-bound", po::value<double>()->value_name("DEG")->default_value(135, "135"),
+     "sectors of less than DEG degrees are sharp corners")
+    ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
+    ("no-relaxation", "keep the crosses orthogonal")
+    ("no-baseline", "do not compute the field without correction, for comparison")
+    ("output,o", file(), "write the mesh and the field as PLY")
+    ("ascii", "write the PLY file as text")
+    ("vtp", file(), "write faces, features and singular sectors as VTK PolyData, for ParaView")
+    ("report", file(), "write the numbers as JSON")
+    ("quiet", "print nothing but warnings and errors")
+    ("help", "print this text")
+    ("version", "print the version");
+  return options;
+}
+
+inline void print_help(std::ostream& out)
+{
+  out << "cad_frame_field MODEL [options]\n\n"
+         "Computes a frame field that a quadrangle mesh can follow on a CAD model.\n"
+         "MODEL is a file whose name ends with one of " << known_extensions << ".\n"
+         "What is not an oriented manifold triangle mesh is repaired before; warnings tell how.\n\n"
+      << option_descriptions()
+      << "\nOUT.ply holds the mesh whose faces with several feature edges are split, and its properties:\n"
+         "  face      alpha, rho in radians; unit vectors u, v (branches 0 and 1) as ux uy uz vx vy vz\n"
+         "  edge      feature: 1 for features and borders\n"
+         "  halfedge  matching; prescribed_rotation in radians; index: 4 times that of the sector at the target\n"
+         "In the JSON report, the angles of unmeshable_sectors are in degrees and indices are multiplied by 4.\n\n"
+         "Exit codes: 0 done, 1 bad usage, 2 a file cannot be read or written or is invalid, 3 no field was found.\n";
+}
+
+inline double angle_option(const boost::program_options::variables_map& variables, const std::string& name,
+                           const double maximum)
+{
+  const double angle = variables[name].as<double>();
+  if(!(angle >= 0 && angle <= maximum)) // false for NaN, too
+    throw Failure(BAD_USAGE, "--" + name + " must be from 0 to " + std::to_string(static_cast<int>(maximum))
+                             + " degrees");
+  return angle;
+}
+
+inline std::optional<std::string> file_option(const boost::program_options::variables_map& variables,
+                                              const std::string& name)
+{
+  if(!variables.count(name))
+    return std::nullopt;
+  if(variables[name].as<std::string>().empty())
+    throw Failure(BAD_USAGE, "--" + name + " needs the name of a file");
+  return variables[name].as<std::string>();
+}
+
+inline void check_outputs_differ(const Options& options)
+{
+  std::set<std::string> names;
+  for(const auto& name : { options.ply, options.vtp, options.report })
+    if(name && !names.insert(*name).second)
+      throw Failure(BAD_USAGE, "two outputs have the same name " + *name);
+}
+
+inline boost::program_options::variables_map parse_command_line(const int argc, const char* const* const argv)
+{
+  namespace po = boost::program_options;
+  po::options_description all_options = option_descriptions();
+  all_options.add_options()("model", po::value<std::string>());
+  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+
+  po::variables_map variables;
+  po::store(po::command_line_parser(argc, argv).options(all_options)
+              .positional(po::positional_options_description().add("model", 1)).style(style).run(),
+            variables);
+  return variables;
+}
+
+// The options, or nothing if the command line asks for the help or the version, which are then printed.
+inline std::optional<Options> read_options(const int argc, const char* const* const argv)
+try
+{
+  const boost::program_options::variables_map variables = parse_command_line(argc, argv);
+  if(variables.count("help"))
+  {
+    print_help(std::cout);
+    return std::nullopt;
+  }
+  if(variables.count("version"))
+  {
+    std::cout << "cad_frame_field " FRAME_FIELDS_VERSION "\n";
+    return std::nullopt;
+  }
+  if(!variables.count("model"))
+    throw Failure(BAD_USAGE, "MODEL is missing; cad_frame_field --help tells the usage");
+  if(variables.count("features") && !variables["feature-angle"].defaulted())
+    throw Failure(BAD_USAGE, "--features and --feature-angle exclude each other");
+
+  Options options;
+  options.model = variables["model"].as<std::string>();
+  options.features = file_option(variables, "features");
+  options.feature_angle = angle_option(variables, "feature-angle", 180);
+  options.support = variables["support"].as<std::string>();
+  support_strategy_from(options.support); // a wrong one is reported before the model is read
+  options.sharp_corner_bound = angle_option(variables, "sharp-corner-bound", 360);
+  options.repairs_matching = !variables.count("no-repair");
+  options.relaxes_orthogonality = !variables.count("no-relaxation");
+  options.computes_baseline = !variables.count("no-baseline");
+  options.ply = file_option(variables, "output");
+  options.vtp = file_option(variables, "vtp");
+  options.report = file_option(variables, "report");
+  options.writes_ascii = variables.count("ascii");
+  options.is_quiet = variables.count("quiet");
+  check_outputs_differ(options);
+  return options;
+}
+catch(const boost::program_options::error& error)
+{
+  throw Failure(BAD_USAGE, std::string(error.what()) + "; cad_frame_field --help tells the usage");
+}
+
+#endif // CAD_FRAME_FIELD_OPTIONS_H

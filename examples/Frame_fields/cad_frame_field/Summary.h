@@ -1,0 +1,67 @@
+#ifndef CAD_FRAME_FIELD_SUMMARY_H
+#define CAD_FRAME_FIELD_SUMMARY_H
+
+#include "Field.h"
+#include "Mesh.h"
+#include "sectors.h"
+
+#include <CGAL/Frame_fields/Statistics.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The number of sectors for each 4 I.
+typedef std::map<int, std::size_t> Index_histogram;
+
+// A sector on feature edges that no quadrangle mesh can follow, as its index is 1/2 or more.
+struct Unmeshable_sector
+{
+  Vertex vertex;
+  double angle; // degrees
+  int index;    // 4 I
+};
+
+// The numbers that the program prints and reports.
+struct Summary
+{
+  std::size_t faces = 0, vertices = 0, feature_edges = 0; // before faces are split
+  std::size_t split_faces = 0, faces_after_split = 0;
+  Index_histogram interior_indices, constrained_indices;
+  std::optional<std::size_t> unmeshable_before; // nothing without the baseline
+  std::vector<Unmeshable_sector> unmeshable_sectors;
+  CGAL::Frame_fields::Statistics statistics;
+  double seconds_reading = 0, seconds_baseline = 0, seconds_writing = 0;
+  std::vector<std::string> warnings;
+};
+
+template <typename IndexMap>
+std::vector<Unmeshable_sector> find_unmeshable_sectors(const Mesh& mesh, const Feature_map is_feature,
+                                                       const std::vector<Sector>& sectors, const IndexMap index)
+{
+  std::vector<Unmeshable_sector> result;
+  for(const Sector& sector : sectors)
+    if(sector.is_constrained && get(index, sector.halfedge) >= 2)
+      result.push_back({ mesh.target(sector.halfedge), angle_in_degrees(mesh, is_feature, sector),
+                         get(index, sector.halfedge) });
+  return result;
+}
+
+inline std::size_t count_features(const Mesh& mesh, const Feature_map is_feature)
+{
+  return std::count_if(mesh.edges().begin(), mesh.edges().end(), [&](const Edge e) { return is_feature[e]; });
+}
+
+inline void summarize_field(const Mesh& mesh, const Feature_map is_feature, const std::vector<Sector>& sectors,
+                            const Field& field, Summary& summary)
+{
+  for(const Sector& sector : sectors)
+    ++(sector.is_constrained ? summary.constrained_indices : summary.interior_indices)[field.index[sector.halfedge]];
+  summary.unmeshable_sectors = find_unmeshable_sectors(mesh, is_feature, sectors, field.index);
+  summary.statistics = field.statistics;
+}
+
+#endif // CAD_FRAME_FIELD_SUMMARY_H

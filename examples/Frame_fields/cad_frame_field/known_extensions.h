@@ -1,0 +1,11 @@
+#ifndef CAD_FRAME_FIELD_KNOWN_EXTENSIONS_H
+#define CAD_FRAME_FIELD_KNOWN_EXTENSIONS_H
+
+// The ends of the names of files that can be read.
+#ifdef CGAL_USE_VTK
+constexpr char known_extensions[] = ".off .obj .ply .stl .ts .vtp";
+#else
+constexpr char known_extensions[] = ".off .obj .ply .stl .ts";
+#endif
+
+#endif // CAD_FRAME_FIELD_KNOWN_EXTENSIONS_H

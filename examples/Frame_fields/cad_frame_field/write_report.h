@@ -1,0 +1,84 @@
+#ifndef CAD_FRAME_FIELD_WRITE_REPORT_H
+#define CAD_FRAME_FIELD_WRITE_REPORT_H
+
+#include "Options.h"
+#include "Summary.h"
+#include "peak_memory.h"
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+typedef nlohmann::ordered_json Json;
+
+inline Json json_of(const Options& options)
+{
+  return { { "features", options.features ? Json(*options.features) : Json() },
+           { "feature_angle", options.features ? Json() : Json(options.feature_angle) },
+           { "support", options.support },
+           { "sharp_corner_bound", options.sharp_corner_bound },
+           { "repair", options.repairs_matching },
+           { "relaxation", options.relaxes_orthogonality } };
+}
+
+inline Json json_of(const Index_histogram& histogram)
+{
+  Json json = Json::object();
+  for(const auto& [index, number] : histogram)
+    json[std::to_string(index)] = number;
+  return json;
+}
+
+inline Json json_of(const CGAL::Frame_fields::Stage_seconds& seconds)
+{
+  return { { "cut_surface", seconds.cut_surface },
+           { "prescribed_rotation", seconds.prescribed_rotation },
+           { "orthogonal", seconds.orthogonal_field },
+           { "matching_and_indices", seconds.matching_and_indices },
+           { "relaxation", seconds.relaxation },
+           { "total", seconds.total } };
+}
+
+inline Json json_of(const std::vector<Unmeshable_sector>& sectors)
+{
+  Json json = Json::array();
+  for(const Unmeshable_sector& sector : sectors)
+    json.push_back({ { "vertex", sector.vertex.idx() }, { "angle", sector.angle }, { "index", sector.index } });
+  return json;
+}
+
+inline void write_report(std::ostream& out, const Options& options, const Summary& summary)
+{
+  const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
+  const Json report = {
+    { "model", options.model },
+    { "options", json_of(options) },
+    { "faces", summary.faces },
+    { "vertices", summary.vertices },
+    { "patches", statistics.number_of_patches },
+    { "feature_edges", summary.feature_edges },
+    { "split_faces", summary.split_faces },
+    { "faces_after_split", summary.faces_after_split },
+    { "sharp_corners", statistics.number_of_sharp_corners },
+    { "unmeshable_before", summary.unmeshable_before ? Json(*summary.unmeshable_before) : Json() },
+    { "unmeshable_after", summary.unmeshable_sectors.size() },
+    { "repaired_sectors", statistics.number_of_repaired_sectors },
+    { "index_histogram", { { "interior", json_of(summary.interior_indices) },
+                           { "constrained", json_of(summary.constrained_indices) } } },
+    { "energy_orthogonal", statistics.energy_orthogonal },
+    { "energy_relaxed", statistics.energy_relaxed },
+    { "clamped_faces", statistics.number_of_clamped_faces },
+    { "seconds", json_of(statistics.seconds) },
+    { "seconds_reading", summary.seconds_reading },
+    { "seconds_baseline", summary.seconds_baseline },
+    { "seconds_writing", summary.seconds_writing },
+    { "unmeshable_sectors", json_of(summary.unmeshable_sectors) },
+    { "peak_memory_mib", peak_memory_mib() },
+    { "warnings", summary.warnings } };
+  // File names may hold any bytes, but JSON must be UTF-8.
+  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+#endif // CAD_FRAME_FIELD_WRITE_REPORT_H

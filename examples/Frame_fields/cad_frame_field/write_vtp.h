@@ -1,0 +1,146 @@
+#ifndef CAD_FRAME_FIELD_WRITE_VTP_H
+#define CAD_FRAME_FIELD_WRITE_VTP_H
+
+#include "Appended_arrays.h"
+#include "Field.h"
+#include "Mesh.h"
+#include "sectors.h"
+
+#include <boost/predef/other/endian.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+// Cells of one kind: `size` vertices each.
+struct Vtp_cells
+{
+  std::size_t size;
+  std::vector<std::int64_t> vertices;
+
+  std::size_t number() const { return vertices.size() / size; }
+
+  std::vector<std::int64_t> ends() const
+  {
+    std::vector<std::int64_t> result;
+    for(std::size_t i = 1; i <= number(); ++i)
+      result.push_back(i * size);
+    return result;
+  }
+};
+
+// What the file shows. VTK numbers cells with the vertices first, then the lines, then the polygons, and every cell has
+// all attributes, so each kind adds its values, or zeros, in this order.
+struct Vtp_content
+{
+  std::vector<double> points;
+  Vtp_cells verts{ 1, {} }, lines{ 2, {} }, polys{ 3, {} };
+  std::vector<double> u, v, alpha, rho;
+  std::vector<std::int32_t> index, sharp_corner, interior;
+
+  void add_attributes(const std::size_t number_of_cells)
+  {
+    const std::size_t number = index.size() + number_of_cells;
+    u.resize(3 * number, 0);
+    v.resize(3 * number, 0);
+    for(std::vector<double>* const attribute : { &alpha, &rho })
+      attribute->resize(number, 0);
+    for(std::vector<std::int32_t>* const attribute : { &index, &sharp_corner, &interior })
+      attribute->resize(number, 0);
+  }
+};
+
+inline void add_singular_sectors(const std::vector<Sector>& sectors, const Mesh& mesh, const Field& field,
+                                 Vtp_content& content)
+{
+  const std::set<Halfedge> sharp_corners(field.sharp_corners.begin(), field.sharp_corners.end());
+  for(const Sector& sector : sectors)
+  {
+    const bool is_sharp = sharp_corners.count(sector.halfedge);
+    if(field.index[sector.halfedge] == 0 && !is_sharp)
+      continue;
+    content.verts.vertices.push_back(mesh.target(sector.halfedge).idx());
+    content.add_attributes(1);
+    content.index.back() = field.index[sector.halfedge];
+    content.sharp_corner.back() = is_sharp;
+    content.interior.back() = !sector.is_constrained;
+  }
+}
+
+inline void add_features(const Mesh& mesh, const Feature_map is_feature, Vtp_content& content)
+{
+  for(const Edge e : mesh.edges())
+    if(is_feature[e])
+      for(const int end : { 0, 1 })
+        content.lines.vertices.push_back(mesh.vertex(e, end).idx());
+  content.add_attributes(content.lines.number());
+}
+
+inline void add_faces(const Mesh& mesh, const Field& field, Vtp_content& content)
+{
+  std::size_t cell = content.index.size();
+  content.add_attributes(mesh.number_of_faces());
+  for(const Face f : mesh.faces())
+  {
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      content.polys.vertices.push_back(v.idx());
+    const auto vectors = CGAL::Frame_fields::frame_vectors(mesh, f, field.alpha[f], field.rho[f]);
+    for(const int coordinate : { 0, 1, 2 })
+    {
+      content.u[3 * cell + coordinate] = vectors[0][coordinate];
+      content.v[3 * cell + coordinate] = vectors[1][coordinate];
+    }
+    content.alpha[cell] = field.alpha[f];
+    content.rho[cell] = field.rho[f];
+    ++cell;
+  }
+}
+
+inline Vtp_content vtp_content(const Mesh& mesh, const Feature_map is_feature, const std::vector<Sector>& sectors,
+                               const Field& field)
+{
+  Vtp_content content;
+  for(const Vertex v : mesh.vertices())
+    for(const int coordinate : { 0, 1, 2 })
+      content.points.push_back(mesh.point(v)[coordinate]);
+  add_singular_sectors(sectors, mesh, field, content);
+  add_features(mesh, is_feature, content);
+  add_faces(mesh, field, content);
+  return content;
+}
+
+inline std::string cells_element(const std::string& kind, const Vtp_cells& cells, Appended_arrays& arrays)
+{
+  return "<" + kind + ">\n" + arrays.add("connectivity", cells.vertices) + arrays.add("offsets", cells.ends())
+         + "</" + kind + ">\n";
+}
+
+// Writes VTK XML PolyData with appended raw data.
+inline void write_vtp(std::ostream& out, const Vtp_content& content)
+{
+  Appended_arrays arrays;
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\""
+      << (BOOST_ENDIAN_BIG_BYTE ? "BigEndian" : "LittleEndian") << "\" header_type=\"UInt64\">\n<PolyData>\n"
+      << "<Piece NumberOfPoints=\"" << content.points.size() / 3 << "\" NumberOfVerts=\"" << content.verts.number()
+      << "\" NumberOfLines=\"" << content.lines.number() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
+      << content.polys.number() << "\">\n"
+      << "<Points>\n" << arrays.add("points", content.points, 3) << "</Points>\n"
+      << cells_element("Verts", content.verts, arrays)
+      << cells_element("Lines", content.lines, arrays)
+      << cells_element("Polys", content.polys, arrays)
+      << "<CellData>\n"
+      << arrays.add("u", content.u, 3) << arrays.add("v", content.v, 3)
+      << arrays.add("alpha", content.alpha) << arrays.add("rho", content.rho)
+      << arrays.add("index", content.index)
+      << arrays.add("sharp_corner", content.sharp_corner)
+      << arrays.add("interior", content.interior)
+      << "</CellData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  out.write(arrays.data().data(), static_cast<std::streamsize>(arrays.data().size()));
+  out << "\n</AppendedData>\n</VTKFile>\n";
+}
+
+#endif // CAD_FRAME_FIELD_WRITE_VTP_H
