@@ -49,7 +49,8 @@ Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTra
   const Point centroid = traits.construct_centroid_3_object()(p, q, r);
   if(centroid != p && centroid != q && centroid != r)
     return centroid;
-  return traits.construct_barycenter_3_object()(p, 2, q, 1, r, 1);
+  // That vertex is the midpoint of the two others, which no combination with three different weights gives.
+  return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
 }
 
 } // namespace internal
@@ -57,9 +58,9 @@ Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTra
 /*!
 \ingroup PkgFrame_fieldsRef
 
-splits each face with two or three constrained edges into three at its centroid (at another point if the face is degenerate
-and its centroid is one of its vertices), so that no face has more than one
-constrained edge, as all other functions of this package require (Section 3.3 of \cgalCite{cgal:dprcs-ffcm-22}).
+splits each face with two or three constrained edges into three at its centroid, so that no face has more than one
+constrained edge, as all other functions of this package require (Section 3.3 of \cgalCite{cgal:dprcs-ffcm-22}). On a
+degenerate face whose centroid is one of its vertices it takes another point inside.
 
 A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. It is the
 only function of this package that modifies a mesh.
