@@ -10,6 +10,7 @@ viewport shows a close-up of a place given by --focus, or of a sharp corner chos
 """
 
 import argparse
+import sys
 from collections import defaultdict
 
 import numpy as np
@@ -170,7 +171,7 @@ def sharp_sectors(field):
 
 def half_way(normal, main_view):
     """Close-ups look nearly along the normal, but from the side of the main view, so that the relief shows."""
-    return unit(2 * normal + main_view.toward)
+    return unit(3 * normal + main_view.toward)
 
 
 def view_of_place(field, place, radius, main_view):
@@ -186,7 +187,7 @@ def view_of_place(field, place, radius, main_view):
 
 
 def view_of_sharpest_corner(field, surface, main_view, aspect):
-    """Of the wedges that both views see freely, the one with the smallest angle that is not tiny; and that angle."""
+    """Of the wedges that both views see freely, the one with the smallest angle that is not tiny, and that angle."""
     locator = configured(vtk.vtkStaticCellLocator(), DataSet=surface)
     locator.BuildLocator()
 
@@ -199,7 +200,7 @@ def view_of_sharpest_corner(field, surface, main_view, aspect):
     sectors = [s for s in sharp_sectors(field) if s.normal @ main_view.toward > 0.25
                and is_visible(s, main_view.toward) and is_visible(s, half_way(s.normal, main_view))]
     for lowest, highest in np.radians([(10, 45), (3, 60), (0, 180)]):
-        for reach in field.diagonal * np.array([0.055, 0.03, 0.015]):
+        for reach in field.diagonal * np.array([0.045, 0.03, 0.015]):
             wedges = [s for s in sectors if lowest <= s.angle <= highest and s.fills(field, reach)]
             if wedges:
                 best = min(wedges, key=lambda s: (round(s.angle, 3), -s.normal @ main_view.toward))
@@ -207,7 +208,7 @@ def view_of_sharpest_corner(field, surface, main_view, aspect):
                 up = np.cross(toward, best.bisector)
                 centre = best.tip + 0.7 * min(aspect, 1) * reach * best.bisector
                 return View(centre, toward, up if up @ main_view.up >= 0 else -up, reach), best.angle
-    raise SystemExit("--focus-sharpest: no suitable sharp corner faces the view; choose another --view or use --focus")
+    return None, 0
 
 
 # ---------------------------------------------------------------- what to draw
@@ -373,6 +374,18 @@ def arguments():
     return parser.parse_args()
 
 
+def close_up_view(options, field, surface, main_view, aspect):
+    """The view of the close-up and its caption; no view if none is asked for or no corner suits."""
+    if options.focus:
+        return view_of_place(field, np.array(options.focus[:3]), options.focus[3], main_view), "close-up"
+    if options.focus_sharpest:
+        view, angle = view_of_sharpest_corner(field, surface, main_view, aspect)
+        if view is None:
+            print("no sharp corner suits a close-up: none is large enough and seen freely", file=sys.stderr)
+        return view, f"sharp corner of {np.degrees(angle):.1f}\u00b0"
+    return None, ""
+
+
 def main():
     options = arguments()
     field = Field(options.field)
@@ -383,20 +396,17 @@ def main():
     spacing = options.cross_spacing or field.diagonal / 70
 
     main_view = view_of_everything(field, *options.view, split * width / height, options.zoom)
+    close_view, caption = close_up_view(options, field, surface, main_view, (1 - split) * width / height)
+    if close_view is None and split < 1:
+        split = 1.0
+        main_view = view_of_everything(field, *options.view, width / height, options.zoom)
+
     main_scene = scene(field, surface, main_view, spacing)
     main_scene.SetViewport(0, 0, split, 1)
     main_scene.AddActor2D(text(options.title, font, height - 2.2 * font, int(1.3 * font), bold=True))
     add_legend(main_scene, field, font)
     scenes = [main_scene]
-
-    if split < 1:
-        if options.focus:
-            close_view = view_of_place(field, np.array(options.focus[:3]), options.focus[3], main_view)
-            caption = "close-up"
-        else:
-            close_view, angle = view_of_sharpest_corner(
-                field, surface, main_view, (1 - split) * width / height)
-            caption = f"sharp corner of {np.degrees(angle):.1f}\u00b0"
+    if close_view is not None:
         main_scene.AddActor(rings(close_view.centre[None], main_view, close_view.reach, 1.04 * close_view.reach, FOCUS))
         close_scene = scene(field, surface, close_view, min(spacing, close_view.reach / 16))
         close_scene.SetViewport(split, 0, 1, 1)
