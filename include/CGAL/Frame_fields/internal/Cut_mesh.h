@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/corner_angles.h>
+#include <CGAL/Frame_fields/internal/options.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -60,13 +61,13 @@ public:
   {}
 
   // Sets the surface; does not read coordinates of isolated vertices.
-  Result build(const bool accepts_overconstrained_faces)
+  Result build(const Options& options, const bool accepts_overconstrained_faces = false)
   {
     Result result = collect_faces();
     if(!result)
       return result;
     sort_by_patches();
-    result = measure_angles();
+    result = measure(options.needs_lengths());
     if(!result)
       return result;
     if(!accepts_overconstrained_faces)
@@ -74,7 +75,7 @@ public:
     if(!result)
       return result;
     collect_sectors(m_surface);
-    collect_dual_edges(m_surface);
+    collect_dual_edges(m_surface, options.edge_weighting);
     return {};
   }
 
@@ -183,7 +184,7 @@ private:
     m_faces.swap(sorted_faces);
   }
 
-  Result measure_angles()
+  Result measure(const bool measures_lengths)
   {
     m_surface.angle.reserve(3 * m_faces.size());
     for(const face_descriptor f : m_faces)
@@ -199,6 +200,9 @@ private:
         return failure(ERROR_ZERO_LENGTH_EDGE, "in " + description_of_face(f));
       for(const double angle : corner_angles(points))
         m_surface.angle.push_back(angle);
+      if(measures_lengths)
+        for(int k = 0; k < 3; ++k)
+          m_surface.length.push_back(distance(points[(k + 2) % 3], points[k]));
     }
     return {};
   }

@@ -12,9 +12,12 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
 #define CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
+
 #include <CGAL/number_type_config.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -55,6 +58,8 @@ struct Cut_surface
   std::vector<double> total_angle;           // per sector
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
+  std::vector<double> weight;                // per dual edge: w_ij
+  std::vector<double> length;                // per halfedge: its length; empty unless asked for
 
   int number_of_faces() const { return static_cast<int>(angle.size() / 3); }
   int number_of_halfedges() const { return static_cast<int>(angle.size()); }
@@ -214,7 +219,38 @@ inline void collect_sectors(Cut_surface& surface)
   }
 }
 
-inline void collect_dual_edges(Cut_surface& surface)
+// The length of the edge of a halfedge divided by the height of its triangle over it.
+inline double length_over_height(const Cut_surface& surface, const int halfedge)
+{
+  const double at_target = surface.angle[halfedge], at_source = surface.angle[previous_of(halfedge)];
+  return std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+}
+
+inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
+{
+  if(weighting == UNIFORM_WEIGHTS)
+    return 1;
+  // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
+  const double smallest = 1e-6, largest = 1e6;
+  const double dual_over_primal = 1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
+  return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
+}
+
+inline double area(const Cut_surface& surface, const int face)
+{
+  const int h = 3 * face;
+  return surface.length[h] * surface.length[h + 1] * std::sin(surface.angle[h]) / 2;
+}
+
+inline double patch_area(const Cut_surface& surface, const Patch& patch)
+{
+  double sum = 0;
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    sum += area(surface, f);
+  return sum;
+}
+
+inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weighting)
 {
   for(Patch& patch : surface.patches)
   {
@@ -226,6 +262,7 @@ inline void collect_dual_edges(Cut_surface& surface)
         continue;
       surface.dual_edges.push_back({ halfedge, opposite });
       surface.transport.push_back(halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI);
+      surface.weight.push_back(edge_weight(surface, surface.dual_edges.back(), weighting));
     }
     patch.dual_edges.end_index = surface.number_of_dual_edges();
   }

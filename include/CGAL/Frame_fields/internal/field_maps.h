@@ -40,7 +40,7 @@ template <typename CutMesh>
 Result check_and_cut(const Options& options, CutMesh& cut_mesh)
 {
   const Result result = check(options);
-  return result ? cut_mesh.build(false) : result;
+  return result ? cut_mesh.build(options) : result;
 }
 
 template <typename CutMesh>

@@ -56,7 +56,7 @@ inline bool is_unnatural_corner(const Cut_surface& surface, const std::vector<in
 }
 
 // Changes the matching of one patch such that singularities leave the sectors where they must not be, at the least cost
-// in sum (r - omega)^2 for the given alpha.
+// in sum w (r - omega)^2 for the given alpha.
 //
 // Lowering p_ij by one moves an index of 1/4 from the sector at one end of the edge to the sector at its other end. Moving
 // indices is therefore a flow on the graph of sectors and edges, and its cost is convex on each edge: successive
@@ -111,7 +111,7 @@ private:
     const int e = dual_edge_of(halfedge);
     const double difference = rotation(m_surface, m_alpha, m_matching, e) - m_omega[e];
     const double signed_difference = m_surface.dual_edges[e].halfedge == halfedge ? difference : -difference;
-    return CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
+    return m_surface.weight[e] * CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
   }
 
   // The same less the difference of the potentials, which is negative only by rounding errors.

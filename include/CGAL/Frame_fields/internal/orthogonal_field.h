@@ -36,7 +36,7 @@ inline double aligned_alpha(const Cut_surface& surface, const int constrained_ha
   return std::remainder(halfedge_angle(surface, constrained_halfedge), CGAL_PI / 2);
 }
 
-// The minimization of sum |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the unconstrained faces of one patch
+// The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the unconstrained faces of one patch
 // (eq. (8) of the paper).
 class Orthogonal_field_system
 {
@@ -66,14 +66,15 @@ public:
       {
         const int i = unknown(face_of(m_surface.dual_edges[e].halfedge));
         const int j = unknown(face_of(m_surface.dual_edges[e].opposite));
+        const double weight = m_surface.weight[e];
         if(i >= 0)
-          add(i, i, Complex(1));
+          add(i, i, Complex(weight));
         if(j >= 0)
-          add(j, j, Complex(1));
+          add(j, j, Complex(weight));
         if(i >= 0 && i == j) // a face glued to itself
-          add(i, i, Complex(-2 * transport(e).real()));
+          add(i, i, Complex(-2 * weight * transport(e).real()));
         else if(i >= 0 && j >= 0)
-          add(i, j, -transport(e));
+          add(i, j, -weight * transport(e));
       }
     });
   }
@@ -86,9 +87,9 @@ public:
       const int face_i = face_of(m_surface.dual_edges[e].halfedge);
       const int face_j = face_of(m_surface.dual_edges[e].opposite);
       if(unknown(face_i) >= 0 && unknown(face_j) < 0)
-        result[unknown(face_i)] += transport(e) * constrained_value(face_j);
+        result[unknown(face_i)] += m_surface.weight[e] * transport(e) * constrained_value(face_j);
       else if(unknown(face_i) < 0 && unknown(face_j) >= 0)
-        result[unknown(face_j)] += std::conj(transport(e)) * constrained_value(face_i);
+        result[unknown(face_j)] += m_surface.weight[e] * std::conj(transport(e)) * constrained_value(face_i);
     }
     return result;
   }

@@ -51,8 +51,8 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
              - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
 }
 
-// Sets omega = D^T lambda with (D D^T) lambda = demand, the least-norm solution of d omega = demand. The first sector of
-// the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
+// Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
+// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
 template <typename Solver>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
                          Solver solver, std::vector<double>& omega)
@@ -70,11 +70,11 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
       if(i == j) // omega there enters d omega twice, with both signs
         continue;
       if(i >= 0)
-        add(i, i, 1.);
+        add(i, i, 1 / surface.weight[e]);
       if(j >= 0)
-        add(j, j, 1.);
+        add(j, j, 1 / surface.weight[e]);
       if(i >= 0 && j >= 0)
-        add(i, j, -1.);
+        add(i, j, -1 / surface.weight[e]);
     }
   };
   const std::vector<double> right_hand_side(demand.begin() + pinned + 1, demand.begin() + patch.sectors.end_index);
@@ -84,7 +84,7 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
 
   const auto value = [&](const int halfedge) { return unknown(halfedge) < 0 ? 0. : lambda[unknown(halfedge)]; };
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
-    omega[e] = value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite);
+    omega[e] = (value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite)) / surface.weight[e];
   return true;
 }
 

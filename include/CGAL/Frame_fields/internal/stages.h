@@ -99,8 +99,7 @@ Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha,
   std::vector<int> clamped(surface.patches.size(), 0);
   const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return relax_patch(surface, surface.patches[patch], alpha, matching, options.orthogonality_weight,
-                       options.maximum_skewness, solver_traits, gamma, clamped[patch]);
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options, solver_traits, gamma, clamped[patch]);
   });
   number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
   return result;
