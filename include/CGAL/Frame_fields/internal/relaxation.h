@@ -36,10 +36,10 @@ namespace internal {
 // The rotation of each pair of opposite branches, gamma0 and gamma1 of Section 4 of the paper.
 typedef std::array<double, 2> Branch_rotations;
 
-// The number of the branch pair (0 or 1) that `alpha` puts along a constrained edge of the face.
-inline int aligned_branch(const Cut_surface& surface, const int constrained_halfedge, const double alpha)
+// The number of the branch pair (0 or 1) that `alpha` puts along the direction an aligned face must keep.
+inline int aligned_branch(const Cut_surface& surface, const int face, const double alpha)
 {
-  const double quarters = (halfedge_angle(surface, constrained_halfedge) - alpha) / (CGAL_PI / 2);
+  const double quarters = (surface.alignment[face] - alpha) / (CGAL_PI / 2);
   return static_cast<int>(std::lround(quarters)) & 1;
 }
 
@@ -150,11 +150,8 @@ private:
   {
     std::vector<bool> is_fixed(2 * static_cast<std::size_t>(m_patch.faces.size()), false);
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-    {
-      const int h = m_surface.constrained_halfedge(f);
-      if(h >= 0)
-        is_fixed[node(f, aligned_branch(m_surface, h, m_alpha[f]))] = true;
-    }
+      if(m_surface.is_aligned(f))
+        is_fixed[node(f, aligned_branch(m_surface, f, m_alpha[f]))] = true;
     return is_fixed;
   }
 
@@ -228,8 +225,7 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
   {
     for(int b = 0; b < 2; ++b)
       gamma[f][b] = system.unknown(f, b) < 0 ? 0 : solution[system.unknown(f, b)];
-    const int h = surface.constrained_halfedge(f);
-    const int fixed_branch = h < 0 ? -1 : aligned_branch(surface, h, alpha[f]);
+    const int fixed_branch = surface.is_aligned(f) ? aligned_branch(surface, f, alpha[f]) : -1;
     if(clamp(gamma[f], fixed_branch, options.maximum_skewness))
       ++number_of_clamped_faces;
   }
