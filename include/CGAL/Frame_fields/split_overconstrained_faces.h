@@ -42,6 +42,20 @@ void mark_unconstrained(const Map map, const Edge e)
     put(map, e, false);
 }
 
+// Throws if a face is not a triangle.
+template <typename TriangleMesh>
+void check_triangles(const TriangleMesh& tm, const char* const function)
+{
+  std::size_t number = 0;
+  for(const auto f : faces(tm))
+  {
+    if(!CGAL::is_triangle(halfedge(f, tm), tm))
+      throw std::invalid_argument(std::string(function) + ": face " + std::to_string(number)
+                                  + " of faces(tm) is not a triangle");
+    ++number;
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -112,17 +126,13 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
     return is_border(opposite(h, tm), tm) || get(edge_is_constrained, edge(h, tm));
   };
 
+  internal::check_triangles(tm, "split_overconstrained_faces");
   std::vector<halfedge_descriptor> overconstrained; // one halfedge of each face, kept apart from the changing face range
-  std::size_t face_number = 0;
   for(const auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);
-    if(!CGAL::is_triangle(h, tm))
-      throw std::invalid_argument("split_overconstrained_faces: face " + std::to_string(face_number)
-                                  + " of faces(tm) is not a triangle");
     if(is_constrained(h) + is_constrained(next(h, tm)) + is_constrained(prev(h, tm)) > 1)
       overconstrained.push_back(h);
-    ++face_number;
   }
 
   for(const halfedge_descriptor h : overconstrained)

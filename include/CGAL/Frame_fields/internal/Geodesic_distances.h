@@ -110,6 +110,20 @@ private:
   Queue m_queue;
 };
 
+inline double distance_to_constrained_sector(const Cut_surface& surface, const int sector,
+                                             Geodesic_distances& distances)
+{
+  double result = std::numeric_limits<double>::infinity();
+  distances.walk_from(sector, [&](const int reached, const double distance)
+  {
+    if(!surface.is_constrained_sector(reached))
+      return true;
+    result = distance;
+    return false;
+  });
+  return result;
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

@@ -45,10 +45,11 @@ struct Options
   double orthogonality_length; // not positive: the default
   Edge_weighting edge_weighting;
   bool relax_orthogonality;
+  bool measures_lengths = false; // even if no stage needs them
 
   bool needs_lengths() const
   {
-    return edge_weighting != UNIFORM_WEIGHTS || support_strategy.kind() == Support_strategy::RADIUS;
+    return measures_lengths || edge_weighting != UNIFORM_WEIGHTS || support_strategy.kind() == Support_strategy::RADIUS;
   }
 };
 
