@@ -15,18 +15,25 @@
 /// \file Frame_fields.h
 /// includes all functions of this package.
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
+#include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
+#include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
+#include <CGAL/Frame_fields/frame_field_quality.h>
 #include <CGAL/Frame_fields/frame_vectors.h>
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/sharp_corners.h>
+#include <CGAL/Frame_fields/singularities.h>
 #include <CGAL/Frame_fields/singularity_indices.h>
+#include <CGAL/Frame_fields/split_chords.h>
 #include <CGAL/Frame_fields/split_overconstrained_faces.h>
 
 #ifdef CGAL_EIGEN3_ENABLED

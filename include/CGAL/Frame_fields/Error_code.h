@@ -33,6 +33,7 @@ enum Error_code
   ERROR_OVERCONSTRAINED_FACE,        ///< A face has more than one constrained edge
   ERROR_WRONG_PARAMETER,             ///< A named parameter is out of its range
   ERROR_WRONG_FIELD,                 ///< A map read as input does not hold what it must
+  ERROR_POINCARE_HOPF,               ///< The index targets of a patch do not sum to its Euler characteristic
   ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM   ///< The linear solver failed
 };
@@ -54,6 +55,7 @@ inline const char* get_error_message(int error_code)
     case ERROR_OVERCONSTRAINED_FACE:       return "A face has more than one constrained edge";
     case ERROR_WRONG_PARAMETER:            return "A named parameter is out of its range";
     case ERROR_WRONG_FIELD:                return "A map read as input does not hold what it must";
+    case ERROR_POINCARE_HOPF:              return "Index targets do not sum to the Euler characteristic";
     case ERROR_NO_RECEIVING_SECTOR:        return "The rotation taken from a sharp corner finds no sector to go to";
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "The linear solver failed";
   }

@@ -22,8 +22,8 @@ namespace Frame_fields {
 /// tells where the rotation prescribed at a sharp corner is compensated (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
 ///
 /// The prescribed rotations of a patch sum to zero, so what a sharp corner \f$ v \f$ gets, \f$ \theta_v - \pi/2 \f$,
-/// must be taken from other sectors, the *receivers* of the corner. With `rings()` and `component()` the receivers are
-/// never sharp corners themselves, so that each sharp corner keeps exactly what it got.
+/// must be taken from other sectors, the *receivers* of the corner. With `rings()`, `component()` and `radius()` the receivers
+/// are never sharp corners themselves, so that each sharp corner keeps exactly what it got.
 class Support_strategy
 {
 public:
@@ -33,7 +33,8 @@ public:
     NONE,      ///< see `none()`
     LOCAL,     ///< see `local()`
     RINGS,     ///< see `rings()`
-    COMPONENT  ///< see `component()`
+    COMPONENT, ///< see `component()`
+    RADIUS     ///< see `radius()`
   };
 
   /// prescribes no rotation: the classical smoothest field.
@@ -54,19 +55,31 @@ public:
   /// takes the rotation of all sharp corners of the patch in equal parts from all its other sectors.
   static Support_strategy component() { return Support_strategy(COMPONENT); }
 
+  /// takes the rotation from the sectors within the geodesic distance `radius` of the corner in its patch that are not
+  /// sharp corners, in parts proportional to their areas; if there is none among them, from the nearest one. What comes
+  /// out depends little on the mesh, in particular with the weights `PRIMAL_OVER_DUAL_LENGTH`.
+  ///
+  /// \param radius a length of the mesh; by default, half the length of the shorter one of the two constrained curves
+  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$
+  static Support_strategy radius(const double radius = 0) { return Support_strategy(RADIUS, 0, radius); }
+
   /// returns the kind of the strategy.
   Kind kind() const { return m_kind; }
 
   /// returns the number of rings; 0 if the kind is not `RINGS`.
   unsigned int number_of_rings() const { return m_number_of_rings; }
 
+  /// returns the radius if the kind is `RADIUS`; a value that is not positive stands for the default.
+  double support_radius() const { return m_radius; }
+
 private:
-  explicit Support_strategy(const Kind kind, const unsigned int number_of_rings = 0)
-    : m_kind(kind), m_number_of_rings(number_of_rings)
+  explicit Support_strategy(const Kind kind, const unsigned int number_of_rings = 0, const double radius = 0)
+    : m_kind(kind), m_number_of_rings(number_of_rings), m_radius(radius)
   {}
 
   Kind m_kind;
   unsigned int m_number_of_rings;
+  double m_radius;
 };
 
 } // namespace Frame_fields

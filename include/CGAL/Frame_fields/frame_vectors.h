@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_FRAME_VECTORS_H
 
 #include <CGAL/Frame_fields/internal/corner_angles.h>
+#include <CGAL/Frame_fields/internal/face_basis.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -28,36 +29,6 @@
 
 namespace CGAL {
 namespace Frame_fields {
-namespace internal {
-
-inline Coordinates normalized(const Coordinates& u)
-{
-  const double l = length(u);
-  return { u[0] / l, u[1] / l, u[2] / l };
-}
-
-// Some unit vector perpendicular to a unit vector.
-inline Coordinates perpendicular(const Coordinates& u)
-{
-  const bool is_x_smallest = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]);
-  const bool is_y_smallest = !is_x_smallest && std::abs(u[1]) <= std::abs(u[2]);
-  const Coordinates axis = is_x_smallest ? Coordinates{ 1, 0, 0 }
-                         : is_y_smallest ? Coordinates{ 0, 1, 0 } : Coordinates{ 0, 0, 1 };
-  return normalized(cross(u, axis));
-}
-
-// The unit vector a quarter turn counter-clockwise from the unit vector `b` along the first edge of a triangle, whose
-// next edge runs along `next_edge`.
-inline Coordinates quarter_turn(const Coordinates& b, const Coordinates& next_edge)
-{
-  const Coordinates normal = cross(b, next_edge);
-  if(length(normal) == 0)
-    return perpendicular(b);
-  return normalized(cross(normalized(normal), b));
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgFrame_fieldsRef
 
@@ -118,16 +89,15 @@ frame_vectors(const TriangleMesh& tm, const typename boost::graph_traits<Triangl
     return internal::coordinates_of(get(points, v), traits);
   };
   const auto h = halfedge(f, tm);
-  const internal::Coordinates source_point = coordinates(source(h, tm)), target_point = coordinates(target(h, tm));
-  const internal::Coordinates b = internal::normalized(internal::scaled_direction(source_point, target_point));
-  const internal::Coordinates b_turned = internal::quarter_turn(
-    b, internal::scaled_direction(target_point, coordinates(target(next(h, tm), tm))));
+  const internal::Face_basis basis = internal::face_basis(coordinates(source(h, tm)), coordinates(target(h, tm)),
+                                                          coordinates(target(next(h, tm), tm)));
 
   const auto unit_vector = [&](const double angle, const double sign)
   {
     const double x = sign * std::cos(angle), y = sign * std::sin(angle);
-    return traits.construct_vector_3_object()(FT(x * b[0] + y * b_turned[0]), FT(x * b[1] + y * b_turned[1]),
-                                              FT(x * b[2] + y * b_turned[2]));
+    return traits.construct_vector_3_object()(FT(x * basis[0][0] + y * basis[1][0]),
+                                              FT(x * basis[0][1] + y * basis[1][1]),
+                                              FT(x * basis[0][2] + y * basis[1][2]));
   };
   const double beta = alpha + CGAL_PI / 2 + rho;
   return { unit_vector(alpha, 1), unit_vector(beta, 1), unit_vector(alpha, -1), unit_vector(beta, -1) };

@@ -83,7 +83,7 @@ Result sharp_corners(const TriangleMesh& tm, OutputIterator out,
   if(!result)
     return result;
   internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  result = cut_mesh.build(true);
+  result = cut_mesh.build(options, true);
   if(!result)
     return result;
   internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound, out);

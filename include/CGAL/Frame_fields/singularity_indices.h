@@ -100,7 +100,7 @@ Result singularity_indices(const TriangleMesh& tm, AlphaMap alpha_map, MatchingM
                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = cut_mesh.build(false);
+  Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
   if(!result)
     return result;
 

@@ -53,6 +53,20 @@ Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTra
   return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
 }
 
+// Throws if a face is not a triangle.
+template <typename TriangleMesh>
+void check_triangles(const TriangleMesh& tm, const char* const function)
+{
+  std::size_t number = 0;
+  for(const auto f : faces(tm))
+  {
+    if(!CGAL::is_triangle(halfedge(f, tm), tm))
+      throw std::invalid_argument(std::string(function) + ": face " + std::to_string(number)
+                                  + " of faces(tm) is not a triangle");
+    ++number;
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -62,8 +76,8 @@ splits each face with two or three constrained edges into three at its centroid,
 constrained edge, as all other functions of this package require (Section 3.3 of \cgalCite{cgal:dprcs-ffcm-22}). On a
 degenerate face whose centroid is one of its vertices it takes another point inside.
 
-A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. It is the
-only function of this package that modifies a mesh.
+A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. Only
+this function and `split_chords()` modify a mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -98,6 +112,8 @@ only function of this package that modifies a mesh.
 \exception std::invalid_argument if a face is not a triangle; its message names the face, and `tm` is unchanged
 
 \cgalBigO{n} for \f$ n \f$ faces.
+
+\sa `split_chords()`
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t split_overconstrained_faces(TriangleMesh& tm,
@@ -124,17 +140,13 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
     return is_border(opposite(h, tm), tm) || get(edge_is_constrained, edge(h, tm));
   };
 
+  internal::check_triangles(tm, "split_overconstrained_faces");
   std::vector<halfedge_descriptor> overconstrained; // one halfedge of each face, kept apart from the changing face range
-  std::size_t face_number = 0;
   for(const auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);
-    if(!CGAL::is_triangle(h, tm))
-      throw std::invalid_argument("split_overconstrained_faces: face " + std::to_string(face_number)
-                                  + " of faces(tm) is not a triangle");
     if(is_constrained(h) + is_constrained(next(h, tm)) + is_constrained(prev(h, tm)) > 1)
       overconstrained.push_back(h);
-    ++face_number;
   }
 
   for(const halfedge_descriptor h : overconstrained)

@@ -13,8 +13,12 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_CUT_MESH_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/corner_angles.h>
+#include <CGAL/Frame_fields/internal/face_basis.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -28,13 +32,27 @@
 #include <climits>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
+
+// The weight of guiding directions for which none is given.
+template <typename Face>
+struct Unit_weight_map
+{
+  typedef Face key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::readable_property_map_tag category;
+
+  friend double get(const Unit_weight_map&, const Face&) { return 1; }
+};
 
 // A mesh cut along its constrained edges: the only code that reads meshes.
 template <typename TriangleMesh, typename NamedParameters>
@@ -56,17 +74,21 @@ public:
         CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
     , m_edge_is_constrained(CGAL::parameters::choose_parameter<Constraint_map>(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained)))
+    , m_guiding_direction(CGAL::parameters::get_parameter(np, internal::guiding_direction))
+    , m_guiding_weight(CGAL::parameters::choose_parameter<Weight_map>(
+        CGAL::parameters::get_parameter(np, internal::guiding_weight)))
+    , m_index_target(CGAL::parameters::get_parameter(np, internal::index_target))
     , m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
   {}
 
   // Sets the surface; does not read coordinates of isolated vertices.
-  Result build(const bool accepts_overconstrained_faces)
+  Result build(const Options& options, const bool accepts_overconstrained_faces = false)
   {
     Result result = collect_faces();
     if(!result)
       return result;
     sort_by_patches();
-    result = measure_angles();
+    result = measure(options.needs_lengths());
     if(!result)
       return result;
     if(!accepts_overconstrained_faces)
@@ -74,8 +96,10 @@ public:
     if(!result)
       return result;
     collect_sectors(m_surface);
-    collect_dual_edges(m_surface);
-    return {};
+    collect_dual_edges(m_surface, options.edge_weighting);
+    align_with_constrained_edges(m_surface);
+    result = read_guidance();
+    return result ? read_index_targets() : result;
   }
 
   const Cut_surface& surface() const { return m_surface; }
@@ -125,6 +149,12 @@ private:
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     CGAL::internal_np::edge_is_constrained_t, NamedParameters,
     CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    internal::guiding_direction_t, NamedParameters, CGAL::internal_np::Param_not_found>::type Direction_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    internal::guiding_weight_t, NamedParameters, Unit_weight_map<face_descriptor> >::type Weight_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    internal::index_target_t, NamedParameters, CGAL::internal_np::Param_not_found>::type Target_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
   // The matrix of the relaxation has up to 6 entries for each face, numbered by `int`.
@@ -183,7 +213,7 @@ private:
     m_faces.swap(sorted_faces);
   }
 
-  Result measure_angles()
+  Result measure(const bool measures_lengths)
   {
     m_surface.angle.reserve(3 * m_faces.size());
     for(const face_descriptor f : m_faces)
@@ -199,6 +229,9 @@ private:
         return failure(ERROR_ZERO_LENGTH_EDGE, "in " + description_of_face(f));
       for(const double angle : corner_angles(points))
         m_surface.angle.push_back(angle);
+      if(measures_lengths)
+        for(int k = 0; k < 3; ++k)
+          m_surface.length.push_back(distance(points[(k + 2) % 3], points[k]));
     }
     return {};
   }
@@ -213,6 +246,70 @@ private:
       if(number_of_constrained_edges > 1)
         return failure(ERROR_OVERCONSTRAINED_FACE,
                        description_of_face(f) + "; call split_overconstrained_faces() before");
+    }
+    return {};
+  }
+
+  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if it has no length.
+  template <typename Vector_3>
+  double angle_in_face(const face_descriptor f, const Vector_3& vector) const
+  {
+    const halfedge_descriptor h = halfedge(f, m_mesh);
+    const Face_basis basis = face_basis(coordinates(source(h, m_mesh)), coordinates(target(h, m_mesh)),
+                                        coordinates(target(next(h, m_mesh), m_mesh)));
+    const Coordinates v = coordinates_of(vector, m_traits);
+    const double x = dot(v, basis[0]), y = dot(v, basis[1]);
+    return x == 0 && y == 0 ? std::numeric_limits<double>::quiet_NaN() : std::atan2(y, x);
+  }
+
+  // Reads the guiding directions. An infinite weight aligns a face that has no constrained edge.
+  Result read_guidance()
+  {
+    if constexpr(!std::is_same<Direction_map, CGAL::internal_np::Param_not_found>::value)
+    {
+      m_surface.guide_angle.assign(m_faces.size(), 0);
+      m_surface.guide_weight.assign(m_faces.size(), 0);
+      for(std::size_t f = 0; f < m_faces.size(); ++f)
+      {
+        const double weight = get(m_guiding_weight, m_faces[f]);
+        if(!(weight >= 0))
+          return failure(ERROR_WRONG_FIELD, "the guiding weight is negative or not a number in "
+                                            + description_of_face(m_faces[f]));
+        if(weight == 0 || m_surface.is_aligned(static_cast<int>(f)))
+          continue;
+        const double angle = angle_in_face(m_faces[f], get(m_guiding_direction, m_faces[f]));
+        if(!std::isfinite(angle))
+          return failure(ERROR_WRONG_FIELD, "the guiding direction is not finite or perpendicular to "
+                                            + description_of_face(m_faces[f]));
+        if(std::isinf(weight))
+          m_surface.alignment[f] = angle;
+        else
+        {
+          m_surface.guide_angle[f] = angle;
+          m_surface.guide_weight[f] = weight;
+        }
+      }
+    }
+    return {};
+  }
+
+  // Reads the index targets; the halfedges of a sector must not contradict one another.
+  Result read_index_targets()
+  {
+    if constexpr(!std::is_same<Target_map, CGAL::internal_np::Param_not_found>::value)
+    {
+      m_surface.index_target.assign(m_surface.number_of_sectors(), NO_INDEX_TARGET);
+      for(int h = 0; h < m_surface.number_of_halfedges(); ++h)
+      {
+        const int given = get(m_index_target, halfedge_of(h));
+        int& target = m_surface.index_target[m_surface.sector[h]];
+        if(given == NO_INDEX_TARGET || given == target)
+          continue;
+        if(target != NO_INDEX_TARGET)
+          return failure(ERROR_WRONG_FIELD, "two index targets for the sector of "
+                                            + description_of_sector(m_surface.sector[h]));
+        target = given;
+      }
     }
     return {};
   }
@@ -238,6 +335,9 @@ private:
   Vertex_point_map m_points;
   Geom_traits m_traits;
   Constraint_map m_edge_is_constrained;
+  Direction_map m_guiding_direction;
+  Weight_map m_guiding_weight;
+  Target_map m_index_target;
   Face_number_map m_face_number; // the number of each face in the order of faces(tm)
   std::vector<face_descriptor> m_faces;
   Cut_surface m_surface;

@@ -12,10 +12,14 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
 #define CGAL_FRAME_FIELDS_INTERNAL_CUT_SURFACE_H
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
+
 #include <CGAL/number_type_config.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -55,6 +59,13 @@ struct Cut_surface
   std::vector<double> total_angle;           // per sector
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
+  Edge_weighting edge_weighting = UNIFORM_WEIGHTS;
+  std::vector<double> weight;                // per dual edge: w_ij
+  std::vector<double> length;                // per halfedge: its length; empty unless asked for
+  std::vector<double> alignment;             // per face: the angle that a branch must keep, NaN if there is none
+  std::vector<double> guide_angle;           // per face: the angle near which a branch should be; empty if not guided
+  std::vector<double> guide_weight;          // per face: how strongly, 0 if not at all; empty if not guided
+  std::vector<int> index_target;             // per sector: 4 I that it must get, or NO_INDEX_TARGET; empty if none must
 
   int number_of_faces() const { return static_cast<int>(angle.size() / 3); }
   int number_of_halfedges() const { return static_cast<int>(angle.size()); }
@@ -65,8 +76,7 @@ struct Cut_surface
   // A sector is on a constrained edge unless one can turn around it for ever.
   bool is_constrained_sector(const int s) const;
 
-  // The first halfedge of the face on a constrained edge, -1 if there is none.
-  int constrained_halfedge(int face) const;
+  bool is_aligned(const int face) const { return !std::isnan(alignment[face]); }
 };
 
 inline int face_of(const int halfedge) { return halfedge / 3; }
@@ -76,14 +86,6 @@ inline int previous_of(const int halfedge) { return halfedge % 3 == 0 ? halfedge
 inline bool Cut_surface::is_constrained_sector(const int s) const
 {
   return is_constrained(next_of(first_corner[s]));
-}
-
-inline int Cut_surface::constrained_halfedge(const int face) const
-{
-  for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
-    if(is_constrained(halfedge))
-      return halfedge;
-  return -1;
 }
 
 // The angle of a halfedge counted counter-clockwise from the first halfedge of its face.
@@ -96,6 +98,15 @@ inline double halfedge_angle(const Cut_surface& surface, const int halfedge)
     case 1: return CGAL_PI - surface.angle[first];
     default: return CGAL_PI + surface.angle[first + 2];
   }
+}
+
+// Aligns the faces with their constrained edges.
+inline void align_with_constrained_edges(Cut_surface& surface)
+{
+  surface.alignment.assign(surface.number_of_faces(), std::numeric_limits<double>::quiet_NaN());
+  for(int halfedge = 0; halfedge < surface.number_of_halfedges(); ++halfedge)
+    if(surface.is_constrained(halfedge))
+      surface.alignment[face_of(halfedge)] = halfedge_angle(surface, halfedge);
 }
 
 // Calls `visit(h)` for the corners of a sector in counter-clockwise order.
@@ -124,6 +135,13 @@ inline int clockwise_most_corner(const std::vector<int>& opposite, const int cor
     result = opposite[outgoing];
   } while(result != corner);
   return corner;
+}
+
+// Vertices less edges plus faces of a patch that is cut along its constrained edges.
+inline int euler_characteristic(const Patch& patch)
+{
+  const int number_of_constrained_sides = 3 * patch.faces.size() - 2 * patch.dual_edges.size();
+  return patch.sectors.size() - patch.dual_edges.size() - number_of_constrained_sides + patch.faces.size();
 }
 
 // Gives each face the number of its patch, patches numbered in the order of their first faces; returns their number.
@@ -214,8 +232,40 @@ inline void collect_sectors(Cut_surface& surface)
   }
 }
 
-inline void collect_dual_edges(Cut_surface& surface)
+// The length of the edge of a halfedge divided by the height of its triangle over it.
+inline double length_over_height(const Cut_surface& surface, const int halfedge)
 {
+  const double at_target = surface.angle[halfedge], at_source = surface.angle[previous_of(halfedge)];
+  return std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+}
+
+inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
+{
+  if(weighting == UNIFORM_WEIGHTS)
+    return 1;
+  // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
+  const double smallest = 1e-6, largest = 1e6;
+  const double dual_over_primal = 1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
+  return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
+}
+
+inline double area(const Cut_surface& surface, const int face)
+{
+  const int h = 3 * face;
+  return surface.length[h] * surface.length[h + 1] * std::sin(surface.angle[h]) / 2;
+}
+
+inline double patch_area(const Cut_surface& surface, const Patch& patch)
+{
+  double sum = 0;
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    sum += area(surface, f);
+  return sum;
+}
+
+inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weighting)
+{
+  surface.edge_weighting = weighting;
   for(Patch& patch : surface.patches)
   {
     patch.dual_edges.begin_index = surface.number_of_dual_edges();
@@ -226,6 +276,7 @@ inline void collect_dual_edges(Cut_surface& surface)
         continue;
       surface.dual_edges.push_back({ halfedge, opposite });
       surface.transport.push_back(halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI);
+      surface.weight.push_back(edge_weight(surface, surface.dual_edges.back(), weighting));
     }
     patch.dual_edges.end_index = surface.number_of_dual_edges();
   }

@@ -44,6 +44,11 @@ inline Coordinates cross(const Coordinates& u, const Coordinates& v)
 
 inline double length(const Coordinates& u) { return std::hypot(u[0], u[1], u[2]); }
 
+inline double distance(const Coordinates& p, const Coordinates& q)
+{
+  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+}
+
 inline double maximum_norm(const Coordinates& u)
 {
   return (std::max)({ std::abs(u[0]), std::abs(u[1]), std::abs(u[2]) });

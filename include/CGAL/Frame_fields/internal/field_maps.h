@@ -40,7 +40,7 @@ template <typename CutMesh>
 Result check_and_cut(const Options& options, CutMesh& cut_mesh)
 {
   const Result result = check(options);
-  return result ? cut_mesh.build(false) : result;
+  return result ? cut_mesh.build(options) : result;
 }
 
 template <typename CutMesh>
@@ -48,6 +48,9 @@ Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
 {
   if(patch_result.error_code == OK)
     return {};
+  if(patch_result.error_code == ERROR_POINCARE_HOPF)
+    return failure(ERROR_POINCARE_HOPF, std::to_string(patch_result.missing_index) + "/4 is missing in the patch of "
+                                        + cut_mesh.description_of_sector(patch_result.sector));
   return failure(patch_result.error_code, patch_result.sector < 0 ? std::string("in one patch of the cut surface")
                                           : cut_mesh.description_of_sector(patch_result.sector));
 }
@@ -177,7 +180,7 @@ Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not
   return {};
 }
 
-// Reads a field and undoes the relaxation in faces with a constrained edge, where alone it matters for the indices. The
+// Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
 // field must be aligned there.
 template <typename CutMesh, typename AlphaMap, typename RhoMap>
 Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
@@ -199,11 +202,10 @@ Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, c
   const Cut_surface& surface = cut_mesh.surface();
   for(int f = 0; f < surface.number_of_faces(); ++f)
   {
-    const int h = surface.constrained_halfedge(f);
-    if(h < 0 || is_along(halfedge_angle(surface, h) - alpha[f]))
+    if(!surface.is_aligned(f) || is_along(surface.alignment[f] - alpha[f]))
       continue;
-    if(!is_along(halfedge_angle(surface, h) - alpha[f] - CGAL_PI / 2 - rho[f]))
-      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge of " + cut_mesh.description_of_face(f));
+    if(!is_along(surface.alignment[f] - alpha[f] - CGAL_PI / 2 - rho[f]))
+      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge or the fixed direction of " + cut_mesh.description_of_face(f));
     alpha[f] += rho[f];
   }
   return {};

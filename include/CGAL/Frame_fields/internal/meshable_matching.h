@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_MESHABLE_MATCHING_H
 
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/rotation_demand.h>
 
@@ -31,21 +32,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The largest 4 I that a quadrangle mesh can have at a sector on a constrained edge.
-constexpr int maximum_meshable_index = 1;
-
 inline bool is_unmeshable(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
   return index[sector] > maximum_meshable_index && surface.is_constrained_sector(sector);
-}
-
-// 4 I nearest to what the angle of a sector asks for: 0 inside, 1 at the corner of a square, 0 on a straight border.
-inline int natural_index(const Cut_surface& surface, const int sector)
-{
-  if(!surface.is_constrained_sector(sector))
-    return 0;
-  const double quarters = std::round(2 * surface.total_angle[sector] / CGAL_PI);
-  return (std::min)(maximum_meshable_index, 2 - static_cast<int>(quarters));
 }
 
 // A sharp corner that did not get the index its angle asks for.
@@ -56,7 +45,7 @@ inline bool is_unnatural_corner(const Cut_surface& surface, const std::vector<in
 }
 
 // Changes the matching of one patch such that singularities leave the sectors where they must not be, at the least cost
-// in sum (r - omega)^2 for the given alpha.
+// in sum w (r - omega)^2 for the given alpha.
 //
 // Lowering p_ij by one moves an index of 1/4 from the sector at one end of the edge to the sector at its other end. Moving
 // indices is therefore a flow on the graph of sectors and edges, and its cost is convex on each edge: successive
@@ -88,15 +77,15 @@ public:
     return true;
   }
 
-  // Brings a sharp corner to its natural index by moving indices from or to sectors that get nearer to theirs, as far as
-  // there are any.
-  void make_natural(const int sector)
+  // Brings a sector to its target by moving indices from or to sectors that get nearer to theirs, as far as there are
+  // any.
+  void approach_target(const int sector)
   {
-    const int natural = natural_index(m_surface, sector);
-    const auto has_too_much = [this](const int s) { return m_index[s] > natural_index(m_surface, s); };
-    const auto has_too_little = [this](const int s) { return m_index[s] < natural_index(m_surface, s); };
-    while(m_index[sector] < natural && move_index(sector, IN, has_too_much)) {}
-    while(m_index[sector] > natural && move_index(sector, OUT, has_too_little)) {}
+    const int target = target_of_sector(m_surface, sector);
+    const auto has_too_much = [this](const int s) { return m_index[s] > target_of_sector(m_surface, s); };
+    const auto has_too_little = [this](const int s) { return m_index[s] < target_of_sector(m_surface, s); };
+    while(m_index[sector] < target && move_index(sector, IN, has_too_much)) {}
+    while(m_index[sector] > target && move_index(sector, OUT, has_too_little)) {}
   }
 
 private:
@@ -111,7 +100,7 @@ private:
     const int e = dual_edge_of(halfedge);
     const double difference = rotation(m_surface, m_alpha, m_matching, e) - m_omega[e];
     const double signed_difference = m_surface.dual_edges[e].halfedge == halfedge ? difference : -difference;
-    return CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
+    return m_surface.weight[e] * CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
   }
 
   // The same less the difference of the potentials, which is negative only by rounding errors.
@@ -245,8 +234,18 @@ inline int repair_patch(const Cut_surface& surface, const Patch& patch, const st
   const auto number_of_repaired_sectors = std::count_if(
     unmeshable.begin(), unmeshable.end(), [&](const int s) { return meshable_matching.remove_excess(s); });
   for(const int s : unnatural)
-    meshable_matching.make_natural(s);
+    meshable_matching.approach_target(s);
   return static_cast<int>(number_of_repaired_sectors);
+}
+
+// Gives every sector of the patch its target; the targets must sum to what the patch has.
+inline void enforce_index_targets(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
+                                  const std::vector<double>& alpha, std::vector<int>& matching,
+                                  std::vector<int>& index)
+{
+  Meshable_matching meshable_matching(surface, patch, omega, alpha, matching, index);
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    meshable_matching.approach_target(s);
 }
 
 } // namespace internal

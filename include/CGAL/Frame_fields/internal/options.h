@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_OPTIONS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_OPTIONS_H
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
@@ -41,7 +42,15 @@ struct Options
   bool repair_matching;
   double maximum_skewness;
   double orthogonality_weight;
+  double orthogonality_length; // not positive: the default
+  Edge_weighting edge_weighting;
   bool relax_orthogonality;
+  bool measures_lengths = false; // even if no stage needs them
+
+  bool needs_lengths() const
+  {
+    return measures_lengths || edge_weighting != UNIFORM_WEIGHTS || support_strategy.kind() == Support_strategy::RADIUS;
+  }
 };
 
 template <typename NamedParameters>
@@ -54,6 +63,8 @@ Options options_from(const NamedParameters& np)
            static_cast<bool>(choose_parameter(get_parameter(np, internal::repair_matching), true)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_skewness), 0.45 * CGAL_PI)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::orthogonality_weight), 1e-2)),
+           static_cast<double>(choose_parameter(get_parameter(np, internal::orthogonality_length), 0.)),
+           choose_parameter(get_parameter(np, internal::edge_weighting), UNIFORM_WEIGHTS),
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };
 }
 
@@ -70,6 +81,8 @@ inline Result check(const Options& options)
     return wrong("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
   if(!(std::isfinite(options.orthogonality_weight) && options.orthogonality_weight >= 0))
     return wrong("orthogonality_weight", options.orthogonality_weight, "a finite number that is not negative");
+  if(!std::isfinite(options.orthogonality_length))
+    return wrong("orthogonality_length", options.orthogonality_length, "a finite number");
   return {};
 }
 

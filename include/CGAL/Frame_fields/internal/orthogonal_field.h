@@ -30,14 +30,24 @@ namespace internal {
 
 typedef std::complex<double> Complex;
 
-// The angle of the constrained edge of a face, up to quarter turns.
-inline double aligned_alpha(const Cut_surface& surface, const int constrained_halfedge)
+// The angle of the branch that an aligned face must have, up to quarter turns.
+inline double aligned_alpha(const Cut_surface& surface, const int face)
 {
-  return std::remainder(halfedge_angle(surface, constrained_halfedge), CGAL_PI / 2);
+  return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
-// The minimization of sum |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the unconstrained faces of one patch
-// (eq. (8) of the paper).
+// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the faces
+// is an integral, as it is for the relaxation.
+inline double guide_weight(const Cut_surface& surface, const int face)
+{
+  if(surface.guide_weight.empty())
+    return 0;
+  const double factor = surface.edge_weighting == UNIFORM_WEIGHTS ? 1 : area(surface, face) / std::sqrt(3.);
+  return factor * surface.guide_weight[face];
+}
+
+// The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the faces of one patch that are not aligned
+// (eq. (8) of the paper), plus the squared differences from guiding directions.
 class Orthogonal_field_system
 {
 public:
@@ -48,14 +58,20 @@ public:
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
       m_transport.push_back(std::polar(1., 4 * (surface.transport[e] - omega[e])));
     for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
-      if(surface.constrained_halfedge(f) < 0)
+    {
+      if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
+      if(surface.is_aligned(f) || guide_weight(surface, f) > 0)
+        m_is_anchored = true;
+    }
   }
 
   int size() const { return m_size; }
-  int number_of_constrained_faces() const { return m_patch.faces.size() - m_size; }
 
-  // The number of the unknown of a face, -1 if the face is constrained.
+  // Whether any face asks for a direction; otherwise the field is determined only up to a rotation and a scale.
+  bool is_anchored() const { return m_is_anchored; }
+
+  // The number of the unknown of a face, -1 if the face is aligned.
   int unknown(const int face) const { return m_unknown[face - m_patch.faces.begin_index]; }
 
   Hermitian_matrix<Complex> matrix() const
@@ -66,15 +82,20 @@ public:
       {
         const int i = unknown(face_of(m_surface.dual_edges[e].halfedge));
         const int j = unknown(face_of(m_surface.dual_edges[e].opposite));
+        const double weight = m_surface.weight[e];
         if(i >= 0)
-          add(i, i, Complex(1));
+          add(i, i, Complex(weight));
         if(j >= 0)
-          add(j, j, Complex(1));
+          add(j, j, Complex(weight));
         if(i >= 0 && i == j) // a face glued to itself
-          add(i, i, Complex(-2 * transport(e).real()));
+          add(i, i, Complex(-2 * weight * transport(e).real()));
         else if(i >= 0 && j >= 0)
-          add(i, j, -transport(e));
+          add(i, j, -weight * transport(e));
       }
+      if(!m_surface.guide_weight.empty())
+        for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+          if(unknown(f) >= 0)
+            add(unknown(f), unknown(f), Complex(guide_weight(m_surface, f)));
     });
   }
 
@@ -86,19 +107,23 @@ public:
       const int face_i = face_of(m_surface.dual_edges[e].halfedge);
       const int face_j = face_of(m_surface.dual_edges[e].opposite);
       if(unknown(face_i) >= 0 && unknown(face_j) < 0)
-        result[unknown(face_i)] += transport(e) * constrained_value(face_j);
+        result[unknown(face_i)] += m_surface.weight[e] * transport(e) * aligned_value(face_j);
       else if(unknown(face_i) < 0 && unknown(face_j) >= 0)
-        result[unknown(face_j)] += std::conj(transport(e)) * constrained_value(face_i);
+        result[unknown(face_j)] += m_surface.weight[e] * std::conj(transport(e)) * aligned_value(face_i);
     }
+    if(!m_surface.guide_weight.empty())
+      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+        if(unknown(f) >= 0)
+          result[unknown(f)] += guide_weight(m_surface, f) * std::polar(1., 4 * m_surface.guide_angle[f]);
     return result;
   }
 
 private:
   const Complex& transport(const int e) const { return m_transport[e - m_patch.dual_edges.begin_index]; }
 
-  Complex constrained_value(const int face) const
+  Complex aligned_value(const int face) const
   {
-    return std::polar(1., 4 * aligned_alpha(m_surface, m_surface.constrained_halfedge(face)));
+    return std::polar(1., 4 * aligned_alpha(m_surface, face));
   }
 
   const Cut_surface& m_surface;
@@ -106,9 +131,11 @@ private:
   std::vector<Complex> m_transport; // per dual edge of the patch
   std::vector<int> m_unknown;       // per face of the patch
   int m_size = 0;
+  bool m_is_anchored = false;
 };
 
-// Writes alpha on the faces of the patch. A patch without any constrained edge gets the smoothest field of unit norm.
+// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of unit
+// norm.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const SolverTraits& solver_traits,
@@ -117,14 +144,14 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
   const Orthogonal_field_system system(surface, patch, omega);
   auto solver = solver_traits.complex_solver_object();
   std::vector<Complex> z;
-  const bool is_solved = system.number_of_constrained_faces() > 0
+  const bool is_solved = system.is_anchored()
                        ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
                        : smallest_eigenvector(solver, system.matrix(), z);
   if(!is_solved)
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
 
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
-    alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, surface.constrained_halfedge(f))
+    alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)
                                      : std::arg(z[system.unknown(f)]) / 4;
   return {};
 }

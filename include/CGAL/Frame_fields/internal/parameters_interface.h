@@ -12,6 +12,11 @@
 // List of the named parameters of this package. No include guard: it is read once per use of the macro.
 CGAL_add_named_parameter(sharp_corner_bound_t, sharp_corner_bound, sharp_corner_bound)
 CGAL_add_named_parameter(support_strategy_t, support_strategy, support_strategy)
+CGAL_add_named_parameter(guiding_direction_t, guiding_direction, guiding_direction_map)
+CGAL_add_named_parameter(guiding_weight_t, guiding_weight, guiding_weight_map)
+CGAL_add_named_parameter(index_target_t, index_target, index_target_map)
+CGAL_add_named_parameter(edge_weighting_t, edge_weighting, edge_weighting)
+CGAL_add_named_parameter(orthogonality_length_t, orthogonality_length, orthogonality_length)
 CGAL_add_named_parameter(repair_matching_t, repair_matching, repair_matching)
 CGAL_add_named_parameter(maximum_skewness_t, maximum_skewness, maximum_skewness)
 CGAL_add_named_parameter(orthogonality_weight_t, orthogonality_weight, orthogonality_weight)

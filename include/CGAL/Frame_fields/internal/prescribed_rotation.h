@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/assemble.h>
+#include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 
@@ -51,8 +52,8 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
              - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
 }
 
-// Sets omega = D^T lambda with (D D^T) lambda = demand, the least-norm solution of d omega = demand. The first sector of
-// the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
+// Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
+// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
 template <typename Solver>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
                          Solver solver, std::vector<double>& omega)
@@ -70,11 +71,11 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
       if(i == j) // omega there enters d omega twice, with both signs
         continue;
       if(i >= 0)
-        add(i, i, 1.);
+        add(i, i, 1 / surface.weight[e]);
       if(j >= 0)
-        add(j, j, 1.);
+        add(j, j, 1 / surface.weight[e]);
       if(i >= 0 && j >= 0)
-        add(i, j, -1.);
+        add(i, j, -1 / surface.weight[e]);
     }
   };
   const std::vector<double> right_hand_side(demand.begin() + pinned + 1, demand.begin() + patch.sectors.end_index);
@@ -84,8 +85,42 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
 
   const auto value = [&](const int halfedge) { return unknown(halfedge) < 0 ? 0. : lambda[unknown(halfedge)]; };
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
-    omega[e] = value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite);
+    omega[e] = (value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite)) / surface.weight[e];
   return true;
+}
+
+// d omega that gives each sector of the patch its target index (eq. (3) of the paper).
+inline void demand_index_targets(const Cut_surface& surface, const Patch& patch, std::vector<double>& demand)
+{
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
+    const double turns = target_of_sector(surface, s) / 4. - (surface.is_constrained_sector(s) ? 0.5 : 1);
+    demand[s] = surface.total_angle[s] + 2 * CGAL_PI * turns;
+  }
+}
+
+// Sets the demand of the patch. Returns false in `is_needed` if it is zero everywhere.
+inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy,
+                               const double bound, std::vector<double>& demand, bool& is_needed)
+{
+  is_needed = true;
+  if(has_index_targets(surface, patch))
+  {
+    const int missing = missing_index(surface, patch);
+    if(missing != 0)
+      return { ERROR_POINCARE_HOPF, patch.sectors.begin_index, missing };
+    demand_index_targets(surface, patch, demand);
+    return {};
+  }
+  const std::vector<int> sharp_corners = sharp_corners_of_patch(surface, patch, bound);
+  is_needed = strategy.kind() != Support_strategy::NONE && !sharp_corners.empty();
+  if(!is_needed)
+    return {};
+  const int corner_without_receiver =
+    spread_rotation_demand(surface, patch, sharp_corners, strategy, bound, demand);
+  if(corner_without_receiver >= 0)
+    return { ERROR_NO_RECEIVING_SECTOR, corner_without_receiver };
+  return {};
 }
 
 // Writes omega on the dual edges of the patch, which must be 0 before (Section 3.2 of the paper).
@@ -95,20 +130,15 @@ Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch
                                          const SolverTraits& solver_traits, std::vector<double>& demand,
                                          std::vector<double>& omega)
 {
-  if(strategy.kind() == Support_strategy::NONE)
-    return {};
-  if(strategy.kind() == Support_strategy::LOCAL)
+  if(strategy.kind() == Support_strategy::LOCAL && !has_index_targets(surface, patch))
   {
     prescribe_rotation_locally(surface, patch, bound, omega);
     return {};
   }
-  const std::vector<int> sharp_corners = sharp_corners_of_patch(surface, patch, bound);
-  if(sharp_corners.empty())
-    return {};
-  const int corner_without_receiver =
-    spread_rotation_demand(surface, patch, sharp_corners, strategy, bound, demand);
-  if(corner_without_receiver >= 0)
-    return { ERROR_NO_RECEIVING_SECTOR, corner_without_receiver };
+  bool is_needed;
+  const Patch_result result = set_demand(surface, patch, strategy, bound, demand, is_needed);
+  if(result.error_code != OK || !is_needed)
+    return result;
   if(!least_norm_rotation(surface, patch, demand, solver_traits.real_solver_object(), omega))
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
   return {};

@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/assemble.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 
 #include <CGAL/number_type_config.h>
@@ -35,24 +36,54 @@ namespace internal {
 // The rotation of each pair of opposite branches, gamma0 and gamma1 of Section 4 of the paper.
 typedef std::array<double, 2> Branch_rotations;
 
-// The number of the branch pair (0 or 1) that `alpha` puts along a constrained edge of the face.
-inline int aligned_branch(const Cut_surface& surface, const int constrained_halfedge, const double alpha)
+// The number of the branch pair (0 or 1) that `alpha` puts along the direction an aligned face must keep.
+inline int aligned_branch(const Cut_surface& surface, const int face, const double alpha)
 {
-  const double quarters = (halfedge_angle(surface, constrained_halfedge) - alpha) / (CGAL_PI / 2);
+  const double quarters = (surface.alignment[face] - alpha) / (CGAL_PI / 2);
   return static_cast<int>(std::lround(quarters)) & 1;
 }
 
 // The branch of face j that branch `b` of face i goes to.
 inline int matched_branch(const int b, const int matching) { return b ^ (matching & 1); }
 
-// The minimization of sum r0^2 + r1^2 + weight sum (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
+// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it is
+// area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of the
+// squared gradients, since an edge between equilateral triangles has weight 1.
+class Orthogonality
+{
+public:
+  Orthogonality(const Cut_surface& surface, const Patch& patch, const Options& options)
+    : m_surface(surface)
+    , m_is_integral(options.edge_weighting != UNIFORM_WEIGHTS)
+    , m_factor(options.orthogonality_weight)
+  {
+    if(!m_is_integral)
+      return;
+    const double default_squared_length = default_length_ratio * default_length_ratio * patch_area(surface, patch);
+    const double squared_length = options.orthogonality_length > 0
+                                ? options.orthogonality_length * options.orthogonality_length : default_squared_length;
+    m_factor = squared_length > 0 ? 1 / (std::sqrt(3.) * squared_length) : 0; // 0: a patch without area
+  }
+
+  bool is_positive() const { return m_factor > 0; }
+  double weight(const int face) const { return m_is_integral ? m_factor * area(m_surface, face) : m_factor; }
+
+private:
+  static constexpr double default_length_ratio = 0.25; // of the square root of the patch's area
+
+  const Cut_surface& m_surface;
+  bool m_is_integral;
+  double m_factor;
+};
+
+// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
 // a graph whose edges are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
 class Relaxation_system
 {
 public:
   Relaxation_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
-                    const std::vector<int>& matching, const double orthogonality_weight)
-    : m_surface(surface), m_patch(patch), m_alpha(alpha), m_matching(matching), m_weight(orthogonality_weight)
+                    const std::vector<int>& matching, const Orthogonality& orthogonality)
+    : m_surface(surface), m_patch(patch), m_alpha(alpha), m_matching(matching), m_orthogonality(orthogonality)
   {
     std::vector<bool> is_fixed = aligned_nodes();
     fix_one_node_of_each_loose_piece(is_fixed);
@@ -82,10 +113,10 @@ public:
       };
       for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
         for(int b = 0; b < 2; ++b)
-          add_square_of_difference(m_unknown[first_node(e, b)], m_unknown[second_node(e, b)], 1);
-      if(m_weight > 0)
+          add_square_of_difference(m_unknown[first_node(e, b)], m_unknown[second_node(e, b)], m_surface.weight[e]);
+      if(m_orthogonality.is_positive())
         for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-          add_square_of_difference(unknown(f, 0), unknown(f, 1), m_weight);
+          add_square_of_difference(unknown(f, 0), unknown(f, 1), m_orthogonality.weight(f));
     });
   }
 
@@ -99,9 +130,9 @@ public:
       {
         const int i = m_unknown[first_node(e, b)], j = m_unknown[second_node(e, b)];
         if(i >= 0)
-          result[i] += r;
+          result[i] += m_surface.weight[e] * r;
         if(j >= 0)
-          result[j] -= r;
+          result[j] -= m_surface.weight[e] * r;
       }
     }
     return result;
@@ -119,11 +150,8 @@ private:
   {
     std::vector<bool> is_fixed(2 * static_cast<std::size_t>(m_patch.faces.size()), false);
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-    {
-      const int h = m_surface.constrained_halfedge(f);
-      if(h >= 0)
-        is_fixed[node(f, aligned_branch(m_surface, h, m_alpha[f]))] = true;
-    }
+      if(m_surface.is_aligned(f))
+        is_fixed[node(f, aligned_branch(m_surface, f, m_alpha[f]))] = true;
     return is_fixed;
   }
 
@@ -137,7 +165,7 @@ private:
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
       for(int b = 0; b < 2; ++b)
         pieces.union_set(first_node(e, b), second_node(e, b));
-    if(m_weight > 0)
+    if(m_orthogonality.is_positive())
       for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
         pieces.union_set(node(f, 0), node(f, 1));
 
@@ -154,7 +182,7 @@ private:
   const Patch& m_patch;
   const std::vector<double>& m_alpha;
   const std::vector<int>& m_matching;
-  double m_weight;
+  Orthogonality m_orthogonality;
   std::vector<int> m_unknown; // per node
   int m_size = 0;
 };
@@ -182,11 +210,11 @@ inline bool clamp(Branch_rotations& gamma, const int fixed_branch, const double 
 // Writes gamma on the faces of the patch and counts the faces that were clamped.
 template <typename SolverTraits>
 Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
-                         const std::vector<int>& matching, const double orthogonality_weight,
-                         const double maximum_skewness, const SolverTraits& solver_traits,
+                         const std::vector<int>& matching, const Options& options, const SolverTraits& solver_traits,
                          std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
 {
-  const Relaxation_system system(surface, patch, alpha, matching, orthogonality_weight);
+  const Relaxation_system system(surface, patch, alpha, matching,
+                                 Orthogonality(surface, patch, options));
   auto solver = solver_traits.real_solver_object();
   std::vector<double> solution;
   if(!factor_and_solve(solver, system.matrix(), system.right_hand_side(), solution))
@@ -197,15 +225,14 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
   {
     for(int b = 0; b < 2; ++b)
       gamma[f][b] = system.unknown(f, b) < 0 ? 0 : solution[system.unknown(f, b)];
-    const int h = surface.constrained_halfedge(f);
-    const int fixed_branch = h < 0 ? -1 : aligned_branch(surface, h, alpha[f]);
-    if(clamp(gamma[f], fixed_branch, maximum_skewness))
+    const int fixed_branch = surface.is_aligned(f) ? aligned_branch(surface, f, alpha[f]) : -1;
+    if(clamp(gamma[f], fixed_branch, options.maximum_skewness))
       ++number_of_clamped_faces;
   }
   return {};
 }
 
-// sum (r - omega)^2 over the dual edges of an orthogonal field.
+// sum w (r - omega)^2 over the dual edges of an orthogonal field.
 inline double orthogonal_energy(const Cut_surface& surface, const std::vector<double>& omega,
                                 const std::vector<double>& alpha, const std::vector<int>& matching)
 {
@@ -213,12 +240,12 @@ inline double orthogonal_energy(const Cut_surface& surface, const std::vector<do
   for(int e = 0; e < surface.number_of_dual_edges(); ++e)
   {
     const double difference = rotation(surface, alpha, matching, e) - omega[e];
-    energy += difference * difference;
+    energy += surface.weight[e] * difference * difference;
   }
   return energy;
 }
 
-// sum r0^2 + r1^2 over the dual edges; `alpha` is the field before relaxation.
+// sum w (r0^2 + r1^2) over the dual edges; `alpha` is the field before relaxation.
 inline double relaxed_energy(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, const std::vector<Branch_rotations>& gamma)
 {
@@ -231,7 +258,7 @@ inline double relaxed_energy(const Cut_surface& surface, const std::vector<doubl
     for(int b = 0; b < 2; ++b)
     {
       const double r_b = r - gamma_i[b] + gamma_j[matched_branch(b, matching[e])];
-      energy += r_b * r_b;
+      energy += surface.weight[e] * r_b * r_b;
     }
   }
   return energy;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Geodesic_distances.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -115,6 +116,121 @@ inline std::vector<int> receivers_in_rings(const Cut_surface& surface, const int
   return receivers;
 }
 
+// The constrained halfedge that follows `halfedge` on the border of its patch.
+inline int next_on_border(const Cut_surface& surface, const int halfedge)
+{
+  return next_of(clockwise_most_corner(surface.opposite, halfedge));
+}
+
+// The constrained halfedge that precedes `halfedge` on the border of its patch.
+inline int previous_on_border(const Cut_surface& surface, const int halfedge)
+{
+  int corner = previous_of(halfedge);
+  while(!surface.is_constrained(corner))
+    corner = previous_of(surface.opposite[corner]);
+  return corner;
+}
+
+inline bool is_far_from_straight(const Cut_surface& surface, const int sector)
+{
+  return std::abs(surface.total_angle[sector] - CGAL_PI) > CGAL_PI / 4;
+}
+
+// Half the length of the shorter one of the two constrained curves that leave a sharp corner.
+inline double local_feature_length(const Cut_surface& surface, const int corner)
+{
+  const int outgoing = next_of(surface.first_corner[corner]), incoming = previous_on_border(surface, outgoing);
+
+  double length_forward = 0;
+  int halfedge = outgoing;
+  do
+    length_forward += surface.length[halfedge];
+  while(!is_far_from_straight(surface, surface.sector[halfedge])
+        && (halfedge = next_on_border(surface, halfedge)) != outgoing);
+
+  double length_backward = 0;
+  halfedge = incoming;
+  while(true)
+  {
+    length_backward += surface.length[halfedge];
+    const int previous = previous_on_border(surface, halfedge);
+    if(is_far_from_straight(surface, surface.sector[previous]) || previous == incoming)
+      break;
+    halfedge = previous;
+  }
+  return (std::min)(length_forward, length_backward) / 2;
+}
+
+inline double sector_area(const Cut_surface& surface, const int sector)
+{
+  double sum = 0;
+  for_each_corner(surface.opposite, surface.first_corner[sector],
+                  [&](const int corner) { sum += area(surface, face_of(corner)) / 3; });
+  return sum;
+}
+
+// A sector that gives rotation to a sharp corner, and which part of it.
+struct Receiver
+{
+  int sector;
+  double part;
+};
+
+// The sectors that are not sharp corners within `radius`, or the nearest one, with parts proportional to their areas.
+inline std::vector<Receiver> receivers_in_radius(const Cut_surface& surface, const int corner, const double radius,
+                                                 const double bound, Geodesic_distances& distances)
+{
+  std::vector<Receiver> receivers;
+  double total_area = 0;
+  distances.walk_from(corner, [&](const int sector, const double distance)
+  {
+    if(distance > radius && !receivers.empty())
+      return false;
+    if(!is_sharp_corner(surface, sector, bound))
+    {
+      receivers.push_back({ sector, sector_area(surface, sector) });
+      total_area += receivers.back().part;
+    }
+    return true;
+  });
+  for(Receiver& receiver : receivers)
+    receiver.part = total_area > 0 ? receiver.part / total_area : 1. / static_cast<double>(receivers.size());
+  return receivers;
+}
+
+inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
+{
+  std::vector<Receiver> result;
+  for(const int sector : sectors)
+    result.push_back({ sector, 1. / static_cast<double>(sectors.size()) });
+  return result;
+}
+
+// Finds the receivers of the sharp corners of one patch, one corner after the other.
+class Receiver_search
+{
+public:
+  Receiver_search(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy, const double bound)
+    : m_surface(surface), m_strategy(strategy), m_bound(bound), m_rings(surface, patch), m_distances(surface, patch)
+  {}
+
+  std::vector<Receiver> receivers_of(const int corner)
+  {
+    if(m_strategy.kind() == Support_strategy::RINGS)
+      return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bound, m_rings));
+    const double radius = m_strategy.support_radius() > 0 ? m_strategy.support_radius()
+                                                          : local_feature_length(m_surface, corner);
+    return receivers_in_radius(m_surface, corner, radius, m_bound, m_distances);
+  }
+
+private:
+  const Cut_surface& m_surface;
+  const Support_strategy& m_strategy;
+  double m_bound;
+  Sector_rings m_rings;
+  Geodesic_distances m_distances;
+};
+
 // Adds to `demand` (K of the paper) what the sharp corners of the patch ask for and takes it from their receivers.
 // Returns -1, or a sharp corner that has no receiver; the strategies `none` and `local` have no demand.
 inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch,
@@ -125,10 +241,10 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
   {
     return rotation_demand_of_sharp_corner(surface.total_angle[corner]);
   };
-  const auto take_from = [&](const std::vector<int>& receivers, const double rotation)
+  const auto take_from = [&](const std::vector<Receiver>& receivers, const double rotation)
   {
-    for(const int receiver : receivers)
-      demand[receiver] -= rotation / static_cast<double>(receivers.size());
+    for(const Receiver& receiver : receivers)
+      demand[receiver.sector] -= rotation * receiver.part;
   };
 
   if(strategy.kind() == Support_strategy::COMPONENT)
@@ -142,18 +258,19 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
     double sum = 0;
     for(const int corner : sharp_corners)
       sum += (demand[corner] = demand_of(corner));
-    take_from(receivers, sum);
+    take_from(in_equal_parts(receivers), sum);
     return -1;
   }
 
-  Sector_rings rings(surface, patch);
+  Receiver_search search(surface, patch, strategy, bound);
   for(const int corner : sharp_corners)
   {
-    const std::vector<int> receivers = receivers_in_rings(surface, corner, strategy.number_of_rings(), bound, rings);
+    const std::vector<Receiver> receivers = search.receivers_of(corner);
     if(receivers.empty())
       return corner;
-    demand[corner] = demand_of(corner);
-    take_from(receivers, demand[corner]);
+    const double rotation = demand_of(corner);
+    demand[corner] = rotation;
+    take_from(receivers, rotation);
   }
   return -1;
 }

@@ -81,7 +81,9 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
     const Patch& patch = surface.patches[number];
     match_patch(surface, patch, omega, alpha, matching);
     const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
-    if(indices_result.error_code == OK && options.repair_matching)
+    if(indices_result.error_code == OK && has_index_targets(surface, patch))
+      enforce_index_targets(surface, patch, omega, alpha, matching, index);
+    else if(indices_result.error_code == OK && options.repair_matching)
       repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
                                       index);
     return indices_result;
@@ -99,8 +101,7 @@ Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha,
   std::vector<int> clamped(surface.patches.size(), 0);
   const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return relax_patch(surface, surface.patches[patch], alpha, matching, options.orthogonality_weight,
-                       options.maximum_skewness, solver_traits, gamma, clamped[patch]);
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options, solver_traits, gamma, clamped[patch]);
   });
   number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
   return result;

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_FRAME_FIELD_QUALITY_H
+#define CGAL_FRAME_FIELDS_FRAME_FIELD_QUALITY_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Field_quality.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/quality.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <vector>
+
+/// \file frame_field_quality.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+measures a frame field, so that fields can be compared.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam AlphaMap a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam RhoMap a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam MatchingMap a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param alpha_map the angle of the first branch of each face, in radians
+\param rho_map the skewness of each face, in radians
+\param matching_map the matching \f$ p_{ij} \f$
+\param quality is set on success
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weighting}
+    \cgalParamDescription{the weights of the edges in the energy}
+    \cgalParamType{`Edge_weighting`}
+    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
+        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (an angle that is not finite, a
+        matching that is not opposite on opposite halfedges)
+
+\cgalBigO{n} for \f$ n \f$ faces.
+*/
+template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
+                           Field_quality& quality,
+                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Options options = internal::options_from(np);
+  options.measures_lengths = true;
+  Result result = internal::check_and_cut(options, cut_mesh);
+  std::vector<double> alpha, rho;
+  std::vector<int> matching;
+  if(result)
+    result = internal::read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
+  if(result)
+    result = internal::read_from_faces(cut_mesh, "rho", rho_map, rho);
+  if(result)
+    result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
+  if(result)
+    quality = internal::measure_quality(cut_mesh.surface(), alpha, rho, matching);
+  return result;
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_FRAME_FIELD_QUALITY_H

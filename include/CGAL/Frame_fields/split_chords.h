@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
+#define CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
+
+#include <CGAL/Frame_fields/split_overconstrained_faces.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// \file split_chords.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+splits each chord, that is, each unconstrained edge that joins two vertices on constrained edges, at its midpoint, and its
+two triangles with it. Thin strips of triangles between two constrained curves then have vertices inside, which can
+take the singularities that the sharp corners give up.
+
+The surface does not change.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+    \cgalParamExtra{If the map is a model of `ReadWritePropertyMap`, the new edges are put to `false`; otherwise it must
+                    return `false` for them.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of edges that were split
+
+\exception std::invalid_argument if a face is not a triangle; its message names the face, and `tm` is unchanged
+
+\cgalBigO{n} for \f$ n \f$ faces.
+
+\sa `split_overconstrained_faces()`
+*/
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    CGAL::internal_np::edge_is_constrained_t, CGAL_NP_CLASS,
+    CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+
+  const auto points = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_property_map(CGAL::vertex_point, tm));
+  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+  const Constraint_map edge_is_constrained = CGAL::parameters::choose_parameter<Constraint_map>(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained));
+
+  internal::check_triangles(tm, "split_chords");
+  const auto is_constrained = [&](const halfedge_descriptor h)
+  {
+    return is_border(h, tm) || is_border(opposite(h, tm), tm) || get(edge_is_constrained, edge(h, tm));
+  };
+  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
+  {
+    for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
+      if(is_constrained(around))
+        return true;
+    return false;
+  };
+  std::vector<halfedge_descriptor> chords;
+  for(const edge_descriptor e : edges(tm))
+  {
+    const halfedge_descriptor h = halfedge(e, tm);
+    if(!is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
+      chords.push_back(h);
+  }
+
+  // Joins the midpoint at the target of `to_midpoint` to the third vertex of the face.
+  const auto split_face = [&](const halfedge_descriptor to_midpoint)
+  {
+    const halfedge_descriptor diagonal =
+      CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, tm), tm), tm);
+    internal::mark_unconstrained(edge_is_constrained, edge(diagonal, tm));
+  };
+  for(const halfedge_descriptor h : chords)
+  {
+    const auto midpoint =
+      traits.construct_midpoint_3_object()(get(points, source(h, tm)), get(points, target(h, tm)));
+    const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, tm);
+    put(points, target(to_midpoint, tm), midpoint);
+    internal::mark_unconstrained(edge_is_constrained, edge(to_midpoint, tm));
+    internal::mark_unconstrained(edge_is_constrained, edge(h, tm));
+    split_face(to_midpoint);
+    split_face(opposite(h, tm));
+  }
+  return chords.size();
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
