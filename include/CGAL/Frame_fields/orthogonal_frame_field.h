@@ -88,6 +88,37 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
   \cgalParamNEnd
+  \cgalParamNBegin{guiding_direction_map}
+    \cgalParamDescription{a direction near which one of the four branches should be in each face; its projection to the
+                          plane of the face counts}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` as value type}
+    \cgalParamDefault{there is no guidance}
+    \cgalParamExtra{Faces with a constrained edge keep to that edge.}
+  \cgalParamNEnd
+  \cgalParamNBegin{guiding_weight_map}
+    \cgalParamDescription{how strongly the direction of each face guides: the factor of
+                          \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
+                          weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
+                          \f$ \sqrt 3 \f$, so that the sum is an integral.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
+    \cgalParamDefault{1 for all faces, if there is guidance}
+  \cgalParamNEnd
+  \cgalParamNBegin{index_target_map}
+    \cgalParamDescription{four times the index that a sector must get, on any of its halfedges, or `NO_INDEX_TARGET`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
+    \cgalParamDefault{`NO_INDEX_TARGET` for all halfedges}
+    \cgalParamExtra{A patch with one target has one for each of its sectors: those that are not given are 0 inside, and on
+                    constrained edges the index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
+                    characteristic of the patch.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weighting}
+    \cgalParamDescription{the weights of the edges in all sums}
+    \cgalParamType{`Edge_weighting`}
+    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`

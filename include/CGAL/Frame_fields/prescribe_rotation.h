@@ -82,6 +82,20 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
     \cgalParamType{`Support_strategy`}
     \cgalParamDefault{`Support_strategy::rings(4)`}
   \cgalParamNEnd
+  \cgalParamNBegin{index_target_map}
+    \cgalParamDescription{four times the index that a sector must get, on any of its halfedges, or `NO_INDEX_TARGET`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
+    \cgalParamDefault{`NO_INDEX_TARGET` for all halfedges}
+    \cgalParamExtra{A patch with one target has one for each of its sectors: those that are not given are 0 inside, and on
+                    constrained edges the index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
+                    characteristic of the patch.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_weighting}
+    \cgalParamDescription{the weights of the edges in all sums}
+    \cgalParamType{`Edge_weighting`}
+    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -102,7 +116,9 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_NO_RECEIVING_SECTOR` (only for bounds of \f$ \pi \f$ and more) or
+        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (two index targets for one sector),
+        `ERROR_POINCARE_HOPF` (index targets that do not sum to the Euler characteristic; the message names what is
+        missing), `ERROR_NO_RECEIVING_SECTOR` (only for bounds of \f$ \pi \f$ and more) or
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 One sparse factorization for each patch with sharp corners, of a matrix with one row less than the patch has sectors;

@@ -250,7 +250,8 @@ private:
     return {};
   }
 
-  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if it has no length.
+  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has no
+  // length or the vector is not finite.
   template <typename Vector_3>
   double angle_in_face(const face_descriptor f, const Vector_3& vector) const
   {
@@ -259,7 +260,8 @@ private:
                                         coordinates(target(next(h, m_mesh), m_mesh)));
     const Coordinates v = coordinates_of(vector, m_traits);
     const double x = dot(v, basis[0]), y = dot(v, basis[1]);
-    return x == 0 && y == 0 ? std::numeric_limits<double>::quiet_NaN() : std::atan2(y, x);
+    const bool has_direction = std::isfinite(x) && std::isfinite(y) && (x != 0 || y != 0);
+    return has_direction ? std::atan2(y, x) : std::numeric_limits<double>::quiet_NaN();
   }
 
   // Reads the guiding directions. An infinite weight aligns a face that has no constrained edge.
