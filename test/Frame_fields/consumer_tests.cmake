@@ -1,0 +1,20 @@
+# A user's project takes the package by add_subdirectory and, once it is installed, by find_package.
+
+set(consumer_directory ${PROJECT_BINARY_DIR}/consumer)
+set(consumer_prefix ${consumer_directory}/prefix)
+
+function(add_consumer_test name)
+  add_test(NAME ${name}
+    COMMAND ${CMAKE_CTEST_COMMAND}
+      --build-and-test ${PROJECT_SOURCE_DIR}/consumer ${consumer_directory}/${name}
+      --build-generator ${CMAKE_GENERATOR}
+      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${ARGN}
+      --test-command consumer)
+endfunction()
+
+add_consumer_test(consumer_add_subdirectory -DFRAME_FIELDS_SOURCE_DIRECTORY=${PROJECT_SOURCE_DIR}/../..)
+
+add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${consumer_prefix})
+add_consumer_test(consumer_find_package -DCMAKE_PREFIX_PATH=${consumer_prefix})
+set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP frame_fields_installation)
+set_tests_properties(consumer_find_package PROPERTIES FIXTURES_REQUIRED frame_fields_installation)
