@@ -1,0 +1,1043 @@
+#!/usr/bin/python3
+"""Tests of the program cad_frame_field and of the two examples; see --help for the arguments."""
+
+import argparse
+import collections
+import csv
+import functools
+import json
+import math
+import os
+import pathlib
+import pty
+import re
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED = range(4)
+QUARTER_TURN = math.pi / 2
+MAXIMUM_SKEWNESS = 0.45 * math.pi
+
+paths = argparse.Namespace()  # set from the command line
+
+
+# ---------------------------------------------------------------- vectors
+
+def difference(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def norm(a):
+    return math.sqrt(dot(a, a))
+
+
+def unit(a):
+    length = norm(a)
+    return (a[0] / length, a[1] / length, a[2] / length)
+
+
+def angle_near_zero(angle):
+    """The angle that differs by full turns and is from -pi to pi."""
+    return math.remainder(angle, 2 * math.pi)
+
+
+# ---------------------------------------------------------------- files
+
+def read_off(path):
+    lines = [line for line in path.read_text().splitlines() if line.strip() and not line.startswith("#")]
+    number_of_points, number_of_faces, _ = map(int, lines[1].split())
+    points = [tuple(map(float, line.split())) for line in lines[2:2 + number_of_points]]
+    faces = [tuple(map(int, line.split()))[1:] for line in lines[2 + number_of_points:][:number_of_faces]]
+    return points, faces
+
+
+def read_features(path):
+    lines = (line.split("#")[0].split() for line in path.read_text().splitlines())
+    return [tuple(map(int, words)) for words in lines if words]
+
+
+def numbers_as_lines(rows):
+    return "".join(" ".join(map(repr, row)) + "\n" for row in rows)
+
+
+def off_text(points, faces):
+    return f"OFF\n{len(points)} {len(faces)} 0\n" + numbers_as_lines(points) + numbers_as_lines(
+        (len(face), *face) for face in faces)
+
+
+def obj_text(points, faces):
+    return "".join("v %r %r %r\n" % point for point in points) + "".join(
+        "f %d %d %d\n" % tuple(vertex + 1 for vertex in face) for face in faces)
+
+
+def ply_text(points, faces):
+    return (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\n"
+            "property double x\nproperty double y\nproperty double z\n"
+            f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+            + numbers_as_lines(points) + numbers_as_lines((3, *face) for face in faces))
+
+
+def stl_text(points, faces):
+    facets = ("facet normal 0 0 0\nouter loop\n" + "".join("vertex %r %r %r\n" % points[vertex] for vertex in face)
+              + "endloop\nendfacet\n" for face in faces)
+    return "solid model\n" + "".join(facets) + "endsolid model\n"
+
+
+PlyElement = collections.namedtuple("PlyElement", "properties rows")
+PLY_TYPES = {"double": "d", "int": "i", "uchar": "B"}
+PLY_TRIANGLE = "list uchar int"
+
+
+def read_ply(content):
+    """The elements of a PLY file of triangles by name; a row of a face starts with 3 and its vertices."""
+    header, body = content.split(b"end_header\n", 1)
+    lines = header.decode().splitlines()
+    is_binary = lines[1] == "format binary_little_endian 1.0"
+    words_of_body = iter(() if is_binary else body.split())
+    elements, position = {}, 0
+    for start, line in enumerate(lines):
+        if not line.startswith("element "):
+            continue
+        _, name, count = line.split()
+        properties = []  # (name, type)
+        for property_line in lines[start + 1:]:
+            if not property_line.startswith("property "):
+                break
+            property_type, property_name = property_line[len("property "):].rsplit(" ", 1)
+            properties.append((property_name, property_type))
+        codes = "".join("Biii" if kind == PLY_TRIANGLE else PLY_TYPES[kind] for _, kind in properties)
+        if is_binary:
+            row = struct.Struct("<" + codes)
+            end = position + int(count) * row.size
+            rows = list(row.iter_unpack(body[position:end]))
+            position = end
+        else:
+            converters = [float if code == "d" else int for code in codes]
+            rows = [tuple(convert(next(words_of_body)) for convert in converters) for _ in range(int(count))]
+        elements[name] = PlyElement(properties, rows)
+    if position != (len(body) if is_binary else 0) or next(words_of_body, None) is not None:
+        raise ValueError("the file goes on after its last element")
+    return elements
+
+
+def read_vtp(content):
+    """The attributes of the piece, and the arrays by the element they are in and their name."""
+    text, data = content.split(b'<AppendedData encoding="raw">\n_', 1)
+    text = text.decode()
+    arrays, parent = {}, None
+    for tag, attributes in re.findall(r"<([A-Za-z/]+)([^>]*)>", text):
+        attributes = dict(re.findall(r'(\w+)="([^"]*)"', attributes))
+        if tag != "DataArray":
+            parent = tag
+            if tag == "Piece":
+                piece = {name: int(value) for name, value in attributes.items()}
+            continue
+        start = int(attributes["offset"])
+        size, = struct.unpack_from("<Q", data, start)
+        code = {"Float64": "d", "Int32": "i", "Int64": "q"}[attributes["type"]]
+        values = struct.unpack_from(f"<{size // struct.calcsize(code)}{code}", data, start + 8)
+        width = int(attributes["NumberOfComponents"])
+        arrays[parent, attributes["Name"]] = (
+            values if width == 1 else [values[i:i + width] for i in range(0, len(values), width)])
+    return piece, arrays
+
+
+# ---------------------------------------------------------------- sectors and patches, computed independently
+
+class DisjointSets:
+    def __init__(self, size):
+        self.parents = list(range(size))
+
+    def find(self, i):
+        parents = self.parents
+        while parents[i] != i:
+            parents[i] = parents[parents[i]]
+            i = parents[i]
+        return i
+
+    def join(self, i, j):
+        self.parents[self.find(i)] = self.find(j)
+
+
+class Sector:
+    def __init__(self, vertex, patch):
+        self.vertex, self.patch, self.angle, self.is_constrained = vertex, patch, 0.0, False
+
+
+class Cut:
+    """A mesh of triangles, cut along features and borders. An edge is a pair of vertices in ascending order."""
+
+    def __init__(self, points, faces, features):
+        self.face_of = {}  # by halfedge: source, target
+        for f, (a, b, c) in enumerate(faces):
+            self.face_of[a, b] = self.face_of[b, c] = self.face_of[c, a] = f
+        self.features = {(min(edge), max(edge)) for edge in features}
+        self.features.update((min(h), max(h)) for h in self.face_of if h[::-1] not in self.face_of)
+        self.inner_halfedges = [h for h in self.face_of if (min(h), max(h)) not in self.features]
+
+        self._faces = faces
+        patches, self._corners = DisjointSets(len(faces)), DisjointSets(3 * len(faces))
+        for h in self.inner_halfedges:
+            f, g = self.face_of[h], self.face_of[h[::-1]]
+            patches.join(f, g)
+            self._corners.join(self._corner(f, h[0]), self._corner(g, h[0]))
+
+        self.patch_of = [patches.find(f) for f in range(len(faces))]
+        self.sectors = {}  # by the number of a corner in it
+        vertices_on_features = {vertex for edge in self.features for vertex in edge}
+        for f, face in enumerate(faces):
+            for k, vertex in enumerate(face):
+                sector = self.sectors.setdefault(self._corners.find(3 * f + k), Sector(vertex, self.patch_of[f]))
+                sector.is_constrained = vertex in vertices_on_features
+                to_next = difference(points[face[k - 2]], points[vertex])
+                to_previous = difference(points[face[k - 1]], points[vertex])
+                sector.angle += math.atan2(norm(cross(to_next, to_previous)), dot(to_next, to_previous))
+
+    def _corner(self, f, vertex):
+        return 3 * f + self._faces[f].index(vertex)
+
+    def sector_at_target(self, h):
+        return self.sectors[self._corners.find(self._corner(self.face_of[h], h[1]))]
+
+    def euler_characteristics(self):
+        """By patch."""
+        euler = collections.Counter(self.patch_of)
+        for sector in self.sectors.values():
+            euler[sector.patch] += 1
+        for h, f in self.face_of.items():
+            is_cut = (min(h), max(h)) in self.features
+            euler[self.patch_of[f]] -= is_cut or h[0] < h[1]  # each side of a cut is an edge
+        return euler
+
+    def constrained_sectors_under(self, degrees):
+        return [s for s in self.sectors.values() if s.is_constrained and s.angle < math.radians(degrees)]
+
+    def faces_with_several_features(self):
+        number = collections.Counter(self.face_of[h] for e in self.features for h in (e, e[::-1]) if h in self.face_of)
+        return [f for f in number if number[f] > 1]
+
+
+class Field:
+    """A field as the program wrote it to a PLY file."""
+
+    def __init__(self, content, report):
+        self.report = report
+        self.elements = read_ply(content)
+        self.points = self.elements["vertex"].rows
+        self.faces = [row[1:4] for row in self.elements["face"].rows]
+        self.alpha, self.rho = zip(*(row[4:6] for row in self.elements["face"].rows))
+        self.u, self.v = zip(*((row[6:9], row[9:12]) for row in self.elements["face"].rows))
+        self.features = {(min(a, b), max(a, b)) for a, b, is_feature in self.elements["edge"].rows if is_feature}
+        halfedges = self.elements["halfedge"].rows
+        self.matching = {(source, target): matching for source, target, matching, _, _ in halfedges}
+        self.rotation = {(source, target): rotation for source, target, _, rotation, _ in halfedges}
+        self.index = {(source, target): index for source, target, _, _, index in halfedges}
+
+    @functools.cached_property
+    def cut(self):
+        return Cut(self.points, self.faces, self.features)
+
+    @functools.cached_property
+    def normals(self):
+        corners = ([self.points[vertex] for vertex in face] for face in self.faces)
+        return [unit(cross(difference(b, a), difference(c, a))) for a, b, c in corners]
+
+    def direction(self, h):
+        return unit(difference(self.points[h[1]], self.points[h[0]]))
+
+    def branch_angle(self, f, branch, axis):
+        """The angle of a branch of the cross of a face, from an axis in its plane, up to full turns."""
+        vector = (self.u, self.v)[branch % 2][f]
+        angle = math.atan2(dot(vector, cross(self.normals[f], axis)), dot(vector, axis))
+        return angle + (math.pi if branch % 4 > 1 else 0)
+
+    def turn(self, h, branch):
+        """By what angle a branch turns across a halfedge, with the faces unfolded, up to full turns."""
+        axis = self.direction(h)
+        f, g = self.cut.face_of[h], self.cut.face_of[h[::-1]]
+        return self.branch_angle(g, branch + self.matching[h], axis) - self.branch_angle(f, branch, axis)
+
+    def index_by_sector(self):
+        return {self.cut.sector_at_target(h): self.index[h] for h in self.cut.face_of}
+
+
+# ---------------------------------------------------------------- running the program
+
+CUBE_POINTS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+CUBE_SQUARES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+CUBE_FACES = [triangle for a, b, c, d in CUBE_SQUARES for triangle in ((a, b, c), (a, c, d))]
+CUBE_EDGES = sorted({tuple(sorted((square[k - 1], square[k]))) for square in CUBE_SQUARES for k in range(4)})
+CUBE_COUNTS = {
+    "faces": 12, "vertices": 8, "patches": 6, "feature_edges": 12, "split_faces": 12, "faces_after_split": 36,
+    "sharp_corners": 24, "unmeshable_before": 0, "unmeshable_after": 0,
+    "index_histogram": {"interior": {"0": 12}, "constrained": {"1": 24}}}
+
+
+def run(program, *arguments, **settings):
+    return subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, **settings)
+
+
+def counts(report):
+    return {name: report[name] for name in CUBE_COUNTS}
+
+
+def flange():
+    return paths.sources / "examples/Frame_fields/data/flange.off"
+
+
+def flange_features():
+    return flange().with_suffix(".feat")
+
+
+def computed_field(*arguments):
+    with tempfile.TemporaryDirectory() as folder:
+        ply, report = pathlib.Path(folder, "out.ply"), pathlib.Path(folder, "out.json")
+        completed = run(paths.program, *arguments, "-o", ply, "--report", report, "--quiet")
+        if completed.returncode != DONE:
+            raise AssertionError(completed.stderr)
+        return Field(ply.read_bytes(), json.loads(report.read_text()))
+
+
+@functools.lru_cache(maxsize=None)
+def flange_field(*options):
+    return computed_field(flange(), "--features", flange_features(), *options)
+
+
+@functools.lru_cache(maxsize=None)
+def flange_cut():
+    return Cut(*read_off(flange()), read_features(flange_features()))
+
+
+class ProgramTest(unittest.TestCase):
+    """Runs the program in a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def write_cube(self):
+        return self.write("cube.off", off_text(CUBE_POINTS, CUBE_FACES))
+
+    def write_features(self, pairs, name="model.feat"):
+        return self.write(name, numbers_as_lines(pairs))
+
+    def run_program(self, *arguments, **settings):
+        return run(paths.program, *arguments, cwd=self.folder, **settings)
+
+    def succeed(self, *arguments):
+        completed = self.run_program(*arguments)
+        self.assertEqual(completed.returncode, DONE, completed.stderr)
+        return completed
+
+    def report(self, *arguments):
+        self.succeed(*arguments, "--quiet", "--report", "out.json")
+        return json.loads((self.folder / "out.json").read_text())
+
+    def output(self, *arguments):
+        self.succeed(*arguments, "--quiet", "-o", "out.ply")
+        return (self.folder / "out.ply").read_bytes()
+
+    def content_of_folder(self):
+        return {path.name: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
+
+    def assert_fails(self, exit_code, message, *arguments, **settings):
+        """Expects one line on stderr that holds the message, nothing on stdout, and no change in the folder."""
+        content = self.content_of_folder()
+        completed = self.run_program(*arguments, **settings)
+        self.assertEqual(completed.returncode, exit_code, completed.stderr)
+        self.assertRegex(completed.stderr, r"\Acad_frame_field: error: .*\n\Z")
+        self.assertIn(message, completed.stderr)
+        self.assertFalse(completed.stdout)
+        self.assertEqual(self.content_of_folder(), content)
+
+    def assert_poincare_hopf(self, field):
+        """The indices of each patch sum up to its Euler characteristic."""
+        sums = collections.Counter()
+        for sector, index in field.index_by_sector().items():
+            sums[sector.patch] += index
+        euler = field.cut.euler_characteristics()
+        self.assertEqual(sums, collections.Counter({patch: 4 * number for patch, number in euler.items()}))
+        self.assertEqual(len(euler), field.report["patches"])
+
+
+# ---------------------------------------------------------------- the tests
+
+class Usage(ProgramTest):
+    def test_help_names_every_option(self):
+        text = self.succeed("--help").stdout
+        for option in ("MODEL", "--features", "--feature-angle", "--support", "none, local, rings:K or component",
+                       "--sharp-corner-bound", "--no-repair", "--no-relaxation", "--no-baseline", "-o", "--ascii",
+                       "--vtp", "--report", "--quiet", "--help", "--version", "Exit codes"):
+            with self.subTest(option):
+                self.assertIn(option, text)
+
+    def test_version_is_that_of_the_project(self):
+        cmake = (paths.sources / "CMakeLists.txt").read_text()
+        version = re.search(r"project\(Frame_fields VERSION ([\d.]+)", cmake).group(1)
+        self.assertEqual(self.succeed("--version").stdout, f"cad_frame_field {version}\n")
+
+    def test_wrong_command_lines(self):
+        cube = self.write_cube()
+        self.write_features(CUBE_EDGES)
+        for message, arguments in (
+                ("MODEL", ""), ("MODEL", "--quiet"), ("positional", "cube.off cube.off"),
+                ("--suport", "cube.off --suport none"), ("'ring'", "cube.off --support ring"),
+                ("'rings:'", "cube.off --support rings:"), ("'rings:-1'", "cube.off --support rings:-1"),
+                ("'rings:1x'", "cube.off --support rings:1x"),
+                ("'rings:99999999999'", "cube.off --support rings:99999999999"),
+                ("--sharp-corner-bound", "cube.off --sharp-corner-bound nan"),
+                ("--sharp-corner-bound", "cube.off --sharp-corner-bound 361"),
+                ("--sharp-corner-bound", "cube.off --sharp-corner-bound -1"),
+                ("--feature-angle", "cube.off --feature-angle sharp"),
+                ("--feature-angle", "cube.off --feature-angle 181"),
+                ("--features", "cube.off --features model.feat --feature-angle 30"),
+                ("--output", "cube.off -o"), ("--output", "cube.off -o a.ply -o b.ply"),
+                ("--quiet", "cube.off --quiet=1")):
+            with self.subTest(arguments):
+                self.assert_fails(BAD_USAGE, message, *arguments.split())
+        self.assert_fails(BAD_USAGE, "--features", cube, "--features", "")
+        self.assert_fails(BAD_USAGE, "MODEL", "")
+
+    def test_files_that_are_the_same_under_any_name(self):
+        self.write_cube()
+        self.write_features(CUBE_EDGES)
+        for arguments in ("-o out --vtp out", "-o out --report ./out", "--report cube.off", "--report ./cube.off",
+                          "--features model.feat --vtp model.feat"):
+            with self.subTest(arguments):
+                self.assert_fails(BAD_USAGE, arguments.split("/")[-1].split()[-1], "cube.off", *arguments.split())
+
+    def test_table_shows_the_numbers_of_the_report(self):
+        table = self.succeed(flange(), "--features", flange_features(), "--report", "out.json").stdout
+        report = json.loads((self.folder / "out.json").read_text())
+        rows = dict(re.split(r" {2,}", line.strip(), maxsplit=1) for line in table.splitlines())
+        for row, key in (("faces", "faces"), ("patches", "patches"), ("feature edges", "feature_edges"),
+                         ("sharp corners", "sharp_corners"), ("clamped faces", "clamped_faces")):
+            self.assertEqual(int(rows[row]), report[key], row)
+        self.assertEqual(rows["unmeshable corners"],
+                         f"{report['unmeshable_before']} -> {report['unmeshable_after']}")
+        for row, key in (("interior sectors", "interior"), ("sectors on features", "constrained")):
+            numbers = re.findall(r"(\d+) of index", rows[row])
+            self.assertEqual(list(map(int, numbers)), list(report["index_histogram"][key].values()), row)
+        for row, key in (("orthogonal energy", "energy_orthogonal"), ("relaxed energy", "energy_relaxed")):
+            self.assertAlmostEqual(float(rows[row]) / report[key], 1, delta=1e-5, msg=row)
+        self.assertEqual(len([line for line in table.splitlines() if line.startswith("  ")]), 5, "stages")
+
+    def test_quiet_prints_nothing(self):
+        completed = self.succeed(self.write_cube(), "--quiet")
+        self.assertEqual(completed.stdout + completed.stderr, "")
+
+    def test_progress_is_shown_on_a_terminal_only_and_not_when_quiet(self):
+        self.write_cube()
+        self.assertEqual(self.run_program("cube.off").stderr, "")
+        for options, is_shown in (((), True), (("--quiet",), False)):
+            terminal, stderr = pty.openpty()
+            subprocess.run([paths.program, "cube.off", *options], cwd=self.folder, stdout=subprocess.DEVNULL,
+                           stderr=stderr, check=True)
+            os.write(stderr, b"end")  # otherwise there may be nothing to read
+            os.close(stderr)
+            shown = os.read(terminal, 10000)
+            os.close(terminal)
+            self.assertEqual(b"reading cube.off" in shown, is_shown)
+
+
+class InvalidInput(ProgramTest):
+    def test_models_that_are_no_files(self):
+        (self.folder / "folder.off").mkdir()
+        for name in ("missing.off", "missing/cube.off", "folder.off"):
+            with self.subTest(name):
+                self.assert_fails(BAD_FILE, name, name)
+
+    def test_damaged_models(self):
+        off, obj, ply, stl = (text(CUBE_POINTS, CUBE_FACES) for text in (off_text, obj_text, ply_text, stl_text))
+        for reason, name, text in (
+                ("empty", "model.off", ""), ("without faces", "model.off", off_text(CUBE_POINTS, [])),
+                ("ends in the vertices", "model.off", off[:40]), ("ends in the faces", "model.off", off[:100]),
+                ("NaN", "model.off", off.replace("1 0 0\n", "1 nan 0\n", 1)),
+                ("infinity", "model.off", off.replace("1 0 0\n", "1 inf 0\n", 1)),
+                ("overflow", "model.off", off.replace("1 0 0\n", "1 1e999 0\n", 1)),
+                ("index too large", "model.off", off_text(CUBE_POINTS, CUBE_FACES + [(0, 1, 8)])),
+                ("negative index", "model.off", off_text(CUBE_POINTS, CUBE_FACES + [(0, 1, -1)])),
+                ("more vertices than memory", "model.off", off.replace("8 12", "8000000000000 12")),
+                ("more faces than memory", "model.off", off.replace("8 12", "8 12000000000000")),
+                ("unknown kind", "model.xyz", off), ("no extension", "model", off),
+                ("no OBJ", "model.obj", off), ("no PLY", "model.ply", off), ("no STL", "model.stl", off),
+                ("NaN in OBJ", "model.obj", obj.replace("v 1", "v nan", 1)),
+                ("index in OBJ", "model.obj", obj + "f 1 2 9\n"), ("index 0 in OBJ", "model.obj", obj + "f 1 2 0\n"),
+                ("NaN in PLY", "model.ply", ply.replace("1 0 0\n", "nan 0 0\n", 1)),
+                ("PLY ends in the faces", "model.ply", ply[:-20]),
+                ("PLY ends in the header", "model.ply", ply[:100]),
+                ("integer coordinates in PLY", "model.ply", ply.replace("double", "int")),
+                ("NaN in STL", "model.stl", stl.replace("vertex 1", "vertex nan", 1)),
+                ("STL ends in a facet", "model.stl", stl[:200])):
+            with self.subTest(reason):
+                self.assert_fails(BAD_FILE, name, self.write(name, text))
+
+    def test_message_names_the_line_of_an_off_file(self):
+        lines = off_text(CUBE_POINTS, CUBE_FACES).splitlines(keepends=True)
+        lines[4] = "1 nan 0\n"
+        self.assert_fails(BAD_FILE, "line 5, '1 nan 0'", self.write("model.off", "".join(lines)))
+
+    def test_binary_coordinates_that_are_not_finite(self):
+        header = ply_text([(0, 0, 0)] * 3, []).replace("ascii", "binary_little_endian").replace("face 0", "face 1")
+        header = header[:header.index("end_header\n")] + "end_header\n"
+        for value in (math.nan, math.inf):
+            content = header.encode() + struct.pack("<9dB3i", 0, 0, 0, 1, 0, 0, 0, value, 0, 3, 0, 1, 2)
+            (self.folder / "model.ply").write_bytes(content)
+            self.assert_fails(BAD_FILE, "model.ply: vertex 2 ", "model.ply")
+
+    def test_feature_files(self):
+        self.write_cube()
+        self.assert_fails(BAD_FILE, "missing.feat", "cube.off", "--features", "missing.feat")
+        self.assert_fails(BAD_FILE, ".: ", "cube.off", "--features", ".")
+        for line in ("3", "1 2 3", "a b", "1 b", "1.5 2", "-1 2", "0 8", "0 99999999999999999999"):
+            with self.subTest(line):
+                self.write("wrong.feat", f"# a comment\n0 1\n{line}\n")
+                self.assert_fails(BAD_FILE, "wrong.feat:3: ", "cube.off", "--features", "wrong.feat")
+
+    def test_feature_file_without_any_edge_of_the_model(self):
+        self.write_cube()
+        self.write("other.feat", "0 6\n1 7\n")
+        self.assert_fails(BAD_FILE, "other.feat", "cube.off", "--features", "other.feat")
+
+    def test_field_that_does_not_exist(self):
+        """With all eight corners of this ring sharp, nothing is left to compensate what they prescribe."""
+        points = [(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0), (-2, -2, 0), (2, -2, 0), (0.8, 1, 0), (-1.5, 0.3, 0)]
+        faces = [(k, (k + 1) % 4, (k + 1) % 4 + 4) for k in range(4)] + [(k, (k + 1) % 4 + 4, k + 4) for k in range(4)]
+        ring = self.write("ring.off", off_text(points, faces))
+        self.succeed(ring)
+        self.assert_fails(NOT_SOLVED, "ring.off: ", ring, "--sharp-corner-bound", "360", "-o", "out.ply",
+                          "--vtp", "out.vtp", "--report", "out.json")
+
+
+class Outputs(ProgramTest):
+    def test_outputs_that_cannot_be_written(self):
+        cube = self.write_cube()
+        (self.folder / "folder").mkdir()
+        for option in ("-o", "--vtp", "--report"):
+            for path in ("/dev/full", "missing/out", "folder", "cube.off/out"):
+                with self.subTest(option=option, path=path):
+                    self.assert_fails(BAD_FILE, path, cube, option, path)
+
+    def test_wrong_path_is_found_before_anything_is_written(self):
+        self.assert_fails(BAD_FILE, "missing/out", self.write_cube(), "-o", "out.ply", "--report", "missing/out")
+
+    def test_full_disk_leaves_the_old_file(self):
+        self.write_cube()
+        self.write("out.ply", "old")
+        self.assert_fails(BAD_FILE, "out.ply", "cube.off", "-o", "out.ply", restore_signals=False,  # ignores SIGXFSZ
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+
+    def test_standard_output_that_cannot_be_written(self):
+        for arguments in ((self.write_cube(),), ("--help",), ("--version",)):
+            with open("/dev/full", "w") as full:
+                completed = subprocess.run([paths.program, *arguments], cwd=self.folder, stdout=full,
+                                           stderr=subprocess.PIPE, text=True)
+            self.assertEqual(completed.returncode, BAD_FILE)
+            self.assertIn("standard output", completed.stderr)
+
+    def test_nothing_else_is_left_in_the_folder(self):
+        self.succeed(self.write_cube(), "-o", "out.ply", "--vtp", "out.vtp", "--report", "out.json")
+        self.assertEqual(set(self.content_of_folder()), {"cube.off", "out.ply", "out.vtp", "out.json"})
+
+    def test_pipe(self):
+        piped = self.succeed(self.write_cube(), "-o", "/dev/stdout", "--ascii", "--quiet").stdout
+        self.assertEqual(piped.encode(), self.output("cube.off", "--ascii"))
+
+    def test_symbolic_link_stays_one(self):
+        link = self.folder / "link.ply"
+        link.symlink_to(self.write("target.ply", "old"))
+        self.succeed(self.write_cube(), "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertTrue(link.read_text("latin-1").startswith("ply\n"))
+
+
+class Report(ProgramTest):
+    def test_keys_and_types(self):
+        report = self.report(self.write_cube())
+        for keys, kind in (
+                ("faces vertices patches feature_edges split_faces faces_after_split sharp_corners unmeshable_before "
+                 "unmeshable_after clamped_faces", int),
+                ("energy_orthogonal energy_relaxed peak_memory_mib", float),
+                ("unmeshable_sectors warnings", list), ("index_histogram seconds", dict)):
+            for key in keys.split():
+                self.assertIs(type(report[key]), kind, key)
+        self.assertEqual(list(report["seconds"]), ["cut_surface", "prescribed_rotation", "orthogonal",
+                                                   "matching_and_indices", "relaxation", "total"])
+        for seconds in report["seconds"].values():
+            self.assertIs(type(seconds), float)
+            self.assertTrue(0 <= seconds <= report["seconds"]["total"])
+        self.assertGreater(report["peak_memory_mib"], 0)
+
+    def test_cube(self):
+        report = self.report(self.write_cube())
+        self.assertEqual(counts(report), CUBE_COUNTS)
+        self.assertAlmostEqual(report["energy_orthogonal"], 0, delta=1e-20)
+        self.assertAlmostEqual(report["energy_relaxed"], 0, delta=1e-20)
+
+    def test_counts_of_the_flange(self):
+        report, cut = flange_field().report, flange_cut()
+        points, faces = read_off(flange())
+        sectors = collections.Counter(sector.is_constrained for sector in cut.sectors.values())
+        self.assertEqual((report["vertices"], report["faces"]), (len(points), len(faces)))
+        self.assertEqual(report["feature_edges"], len(cut.features))
+        self.assertEqual(report["patches"], len(set(cut.patch_of)))
+        self.assertEqual(report["split_faces"], len(cut.faces_with_several_features()))
+        self.assertEqual(report["faces_after_split"], report["faces"] + 2 * report["split_faces"])
+        self.assertEqual(report["sharp_corners"], len(cut.constrained_sectors_under(135)))
+        interior, constrained = (report["index_histogram"][key] for key in ("interior", "constrained"))
+        self.assertEqual(sum(interior.values()), sectors[False] + report["split_faces"])
+        self.assertEqual(sum(constrained.values()), sectors[True])
+
+    def test_indices_sum_up_to_the_euler_characteristic(self):
+        histogram = flange_field().report["index_histogram"]
+        total = sum(int(index) * number for part in histogram.values() for index, number in part.items())
+        self.assertEqual(total, 4 * sum(flange_cut().euler_characteristics().values()))
+
+    def test_unmeshable_sectors_are_those_under_45_degrees_without_correction(self):
+        report = flange_field("--support", "none", "--no-repair").report
+        sectors = report["unmeshable_sectors"]
+        self.assertEqual(len(sectors), report["unmeshable_after"])
+        self.assertEqual(len(sectors), report["unmeshable_before"])
+        sharpest = flange_cut().constrained_sectors_under(45)
+        self.assertGreater(len(sharpest), 0)
+        for sector, expected in zip(sorted(sectors, key=lambda s: (s["vertex"], s["angle"])),
+                                    sorted(sharpest, key=lambda s: (s.vertex, s.angle))):
+            self.assertEqual((sector["vertex"], sector["index"]), (expected.vertex, 2))
+            self.assertAlmostEqual(sector["angle"], math.degrees(expected.angle), delta=1e-9)
+        self.assertEqual(len(sectors), len(sharpest))
+
+    def test_no_unmeshable_sectors_with_correction(self):
+        report = flange_field().report
+        self.assertEqual((report["unmeshable_after"], report["unmeshable_sectors"]), (0, []))
+        self.assertEqual(report["unmeshable_before"], len(flange_cut().constrained_sectors_under(45)))
+
+    def test_no_baseline(self):
+        with_baseline, without = self.report(self.write_cube()), self.report("cube.off", "--no-baseline")
+        self.assertIsNone(without["unmeshable_before"])
+        self.assertEqual({**counts(without), "unmeshable_before": 0}, counts(with_baseline))
+        self.assertNotIn("->", self.succeed("cube.off", "--no-baseline").stdout)
+
+
+class Options(ProgramTest):
+    def assert_rotation_prescribed_at(self, sharp_corners, field):
+        """The index of a sharp corner is 1/4 if its crosses turn by its angle less a right one."""
+        sums = collections.Counter()
+        for h in field.cut.inner_halfedges:
+            sums[field.cut.sector_at_target(h)] += field.rotation[h]
+        for sector in sharp_corners:
+            self.assertAlmostEqual(sums[sector], sector.angle - QUARTER_TURN, delta=1e-10)
+
+    def test_no_support_prescribes_no_rotation(self):
+        self.assertEqual(set(flange_field("--support", "none", "--no-repair").rotation.values()), {0})
+
+    def test_support_strategies(self):
+        for support in ("local", "rings:1", "rings:4", "component"):
+            with self.subTest(support):
+                field = flange_field("--support", support)
+                self.assert_rotation_prescribed_at(field.cut.constrained_sectors_under(135), field)
+                self.assert_poincare_hopf(field)
+                self.assertEqual(field.report["unmeshable_after"], 0)
+                self.assertEqual(field.report["options"]["support"], support)
+
+    def test_default_support_is_four_rings(self):
+        self.assertEqual(flange_field().elements, flange_field("--support", "rings:4").elements)
+
+    def test_sharp_corner_bound(self):
+        for degrees in (0, 45, 100):
+            with self.subTest(degrees):
+                field = flange_field("--sharp-corner-bound", str(degrees), "--no-repair")
+                sharp_corners = field.cut.constrained_sectors_under(degrees)
+                self.assertEqual(field.report["sharp_corners"], len(sharp_corners))
+                self.assert_rotation_prescribed_at(sharp_corners, field)
+
+    def test_repair_alone_leaves_nothing_unmeshable(self):
+        field = flange_field("--support", "none")
+        self.assertEqual(field.report["unmeshable_after"], 0)
+        self.assert_poincare_hopf(field)
+
+    def test_no_relaxation_keeps_crosses_orthogonal_and_singularities_the_same(self):
+        orthogonal, relaxed = flange_field("--no-relaxation"), flange_field()
+        self.assertEqual(set(orthogonal.rho), {0})
+        self.assertGreater(max(map(abs, relaxed.rho)), 0)
+        self.assertEqual(orthogonal.matching, relaxed.matching)
+        self.assertEqual(orthogonal.index, relaxed.index)
+
+    def test_feature_angle(self):
+        self.write_cube()
+        self.assertEqual(self.report("cube.off", "--feature-angle", "80")["feature_edges"], 12)
+        self.assertEqual(self.report("cube.off", "--feature-angle", "100")["feature_edges"], 0)
+
+    def test_feature_file_may_hold_comments_and_blank_lines(self):
+        self.write_cube()
+        self.write("model.feat", "# all edges\r\n\r\n" + "".join(f"\t{b}  {a} # edge\r\n" for a, b in CUBE_EDGES))
+        self.assertEqual(counts(self.report("cube.off", "--features", "model.feat")), CUBE_COUNTS)
+
+    def test_feature_lines_that_name_no_edge_are_told(self):
+        self.write_cube()
+        self.write_features([*CUBE_EDGES, (0, 6), (1, 1)])
+        report = self.report("cube.off", "--features", "model.feat")
+        self.assertEqual(counts(report), CUBE_COUNTS)
+        self.assertRegex("".join(report["warnings"]), "model.feat: .*: 2, the first is line 13, '0 6'")
+
+
+class FlangeField(ProgramTest):
+    def test_elements_and_properties(self):
+        elements = flange_field().elements
+        vectors = [(name, "double") for name in "alpha rho ux uy uz vx vy vz".split()]
+        self.assertEqual({name: element.properties for name, element in elements.items()}, {
+            "vertex": [("x", "double"), ("y", "double"), ("z", "double")],
+            "face": [("vertex_indices", PLY_TRIANGLE), *vectors],
+            "edge": [("vertex1", "int"), ("vertex2", "int"), ("feature", "int")],
+            "halfedge": [("source", "int"), ("target", "int"), ("matching", "int"),
+                         ("prescribed_rotation", "double"), ("index", "int")]})
+
+    def test_text_holds_the_same_values(self):
+        text = self.output(flange(), "--features", flange_features(), "--ascii")
+        self.assertTrue(text.startswith(b"ply\nformat ascii 1.0\n"))
+        self.assertEqual(read_ply(text), flange_field().elements)
+
+    def test_mesh_is_the_model_with_split_faces(self):
+        field, (points, faces), cut = flange_field(), read_off(flange()), flange_cut()
+        self.assertEqual(field.points[:len(points)], points)
+        self.assertEqual(len(field.points), len(points) + field.report["split_faces"])
+        self.assertEqual(len(field.faces), field.report["faces_after_split"])
+        self.assertEqual(cut.face_of.keys() - field.cut.face_of.keys(), set())
+        split = ([points[vertex] for vertex in faces[f]] for f in cut.faces_with_several_features())
+        centroids = sorted(tuple(sum(coordinates) / 3 for coordinates in zip(*corners)) for corners in split)
+        for point, centroid in zip(sorted(field.points[len(points):]), centroids):
+            self.assertAlmostEqual(norm(difference(point, centroid)), 0, delta=1e-9)
+
+    def test_edges_and_halfedges_are_those_of_the_faces(self):
+        field = flange_field()
+        self.assertEqual(field.features, flange_cut().features)
+        edges = {(min(a, b), max(a, b)) for a, b, _ in field.elements["edge"].rows}
+        self.assertEqual(edges, {(min(h), max(h)) for h in field.cut.face_of})
+        self.assertEqual(field.index.keys(), {h for edge in edges for h in (edge, edge[::-1])})
+
+    def test_u_and_v_are_unit_vectors_in_the_plane_of_the_face(self):
+        field = flange_field()
+        for f, normal in enumerate(field.normals):
+            for vector in (field.u[f], field.v[f]):
+                self.assertAlmostEqual(norm(vector), 1, delta=1e-12)
+                self.assertAlmostEqual(dot(vector, normal), 0, delta=1e-9)
+
+    def test_angle_from_u_to_v_is_a_right_one_and_rho(self):
+        field = flange_field()
+        for u, v, normal, rho in zip(field.u, field.v, field.normals, field.rho):
+            angle = math.atan2(dot(cross(u, v), normal), dot(u, v))
+            self.assertAlmostEqual(angle_near_zero(angle - QUARTER_TURN - rho), 0, delta=1e-9)
+
+    def test_alpha_is_the_angle_of_u_from_an_edge(self):
+        field = flange_field()
+        for f, (a, b, c) in enumerate(field.faces):
+            self.assertLess(min(abs(angle_near_zero(field.branch_angle(f, 0, field.direction(h)) - field.alpha[f]))
+                                for h in ((a, b), (b, c), (c, a))), 1e-9)
+
+    def test_rho_is_clamped(self):
+        field = flange_field()
+        self.assertLess(max(map(abs, field.rho)), MAXIMUM_SKEWNESS + 1e-12)
+        self.assertEqual(sum(abs(rho) > MAXIMUM_SKEWNESS - 1e-12 for rho in field.rho), field.report["clamped_faces"])
+
+    def test_crosses_follow_features(self):
+        for options in ((), ("--no-relaxation",), ("--support", "none", "--no-repair"), ("--support", "component")):
+            field = flange_field(*options)
+            for h, f in field.cut.face_of.items():
+                if (min(h), max(h)) not in field.features:
+                    continue
+                sines = (norm(cross(field.direction(h), vector)) for vector in (field.u[f], field.v[f]))
+                self.assertLess(min(sines), 1e-9)
+
+    def test_values_change_sign_with_the_halfedge(self):
+        field = flange_field()
+        for h in field.matching:
+            self.assertEqual(field.matching[h], -field.matching[h[::-1]])
+            self.assertEqual(field.rotation[h], -field.rotation[h[::-1]])
+
+    def test_all_corners_of_a_sector_have_its_index(self):
+        field = flange_field()
+        index = field.index_by_sector()
+        for h in field.cut.face_of:
+            self.assertEqual(field.index[h], index[field.cut.sector_at_target(h)])
+        for key, is_constrained in (("interior", False), ("constrained", True)):
+            histogram = collections.Counter(str(i) for sector, i in index.items()
+                                            if sector.is_constrained == is_constrained)
+            self.assertEqual(histogram, field.report["index_histogram"][key])
+
+    def test_indices_of_each_patch_sum_up_to_its_euler_characteristic(self):
+        for options in ((), ("--support", "none", "--no-repair")):
+            self.assert_poincare_hopf(flange_field(*options))
+
+    def test_matching_rounds_and_gives_indices_and_energy(self):
+        """All follows from the vectors: which branches match, the indices and the energy."""
+        field = flange_field("--no-relaxation", "--no-repair")
+        turns, energy = collections.Counter(), 0
+        for h in field.cut.inner_halfedges:
+            rotation = field.rotation[h]
+            residual = angle_near_zero(field.turn(h, 0) - rotation)
+            self.assertLess(abs(residual), QUARTER_TURN / 2 + 1e-9)
+            turns[field.cut.sector_at_target(h)] += residual + rotation
+            energy += residual ** 2 / 2
+        self.assertAlmostEqual(energy / field.report["energy_orthogonal"], 1, delta=1e-9)
+        for sector, index in field.index_by_sector().items():
+            expected = (turns[sector] - sector.angle) / QUARTER_TURN + (2 if sector.is_constrained else 4)
+            self.assertAlmostEqual(index, expected, delta=1e-6)
+
+    def test_relaxed_energy_is_that_of_the_vectors(self):
+        field = flange_field()
+        energy = sum(angle_near_zero(field.turn(h, branch)) ** 2 / 2
+                     for h in field.cut.inner_halfedges for branch in (0, 1))
+        self.assertAlmostEqual(energy / field.report["energy_relaxed"], 1, delta=1e-9)
+
+    def test_paraview_file(self):
+        field = flange_field()
+        self.succeed(flange(), "--features", flange_features(), "--vtp", "out.vtp")
+        piece, arrays = read_vtp((self.folder / "out.vtp").read_bytes())
+
+        self.assertEqual(arrays["Points", "points"], field.points)
+        number_of_verts, number_of_lines, number_of_polys = (
+            piece[f"NumberOf{kind}"] for kind in ("Verts", "Lines", "Polys"))
+        for kind, size in (("Verts", 1), ("Lines", 2), ("Polys", 3)):
+            ends = arrays[kind, "offsets"]
+            self.assertEqual(ends, tuple(range(size, size * piece[f"NumberOf{kind}"] + 1, size)))
+            self.assertEqual(len(arrays[kind, "connectivity"]), size * len(ends))
+
+        lines = arrays["Lines", "connectivity"]
+        self.assertEqual({(min(edge), max(edge)) for edge in zip(lines[::2], lines[1::2])}, field.features)
+        self.assertEqual(number_of_lines, field.report["feature_edges"])
+        triangles = arrays["Polys", "connectivity"]
+        self.assertEqual(list(zip(triangles[::3], triangles[1::3], triangles[2::3])), field.faces)
+        self.assertEqual(number_of_polys, field.report["faces_after_split"])
+
+        first_face = number_of_verts + number_of_lines
+        for name in ("alpha", "rho", "u", "v"):
+            values = arrays["CellData", name]
+            self.assertEqual(len(values), first_face + number_of_polys)
+            self.assertEqual(tuple(values[first_face:]), getattr(field, name))
+
+        def of_verts(name):
+            return arrays["CellData", name][:number_of_verts]
+
+        sharp_corners = set(field.cut.constrained_sectors_under(135))
+        expected = [(sector.vertex, index, sector in sharp_corners, not sector.is_constrained)
+                    for sector, index in field.index_by_sector().items() if index != 0 or sector in sharp_corners]
+        self.assertEqual(sorted(zip(arrays["Verts", "connectivity"], of_verts("index"), of_verts("sharp_corner"),
+                                    of_verts("interior"))), sorted(expected))
+
+
+class Repair(ProgramTest):
+    def assert_warnings(self, report, **numbers):
+        """Expects warnings with these words and numbers at their ends, and no other ones."""
+        warnings = report["warnings"]
+        self.assertEqual(len(warnings), len(numbers), warnings)
+        for words, number in numbers.items():
+            self.assertTrue(any(words.replace("_", " ") in warning and warning.endswith(f": {number}")
+                                for warning in warnings), (words, number, warnings))
+
+    def test_clean_model_needs_none(self):
+        self.assertEqual(flange_field().report["warnings"], [])
+
+    def test_soup_gives_the_same_counts_as_the_clean_model(self):
+        points, faces = read_off(flange())
+        features = read_features(flange_features())
+        copy_of = {vertex: len(points) + k for k, vertex in enumerate(range(0, len(points), 7))}
+        soup = [tuple(copy_of.get(vertex, vertex) if f % 2 else vertex for vertex in face)
+                for f, face in enumerate(faces)]
+        turned = range(1, len(soup), 3)  # less than half of them
+        for f in turned:
+            soup[f] = soup[f][::-1]
+        soup += [(0, 0, 134), (0, 134, 0), faces[0], faces[8]]
+        self.write("soup.off", off_text(points + [points[vertex] for vertex in copy_of], soup))
+        self.write_features([(copy_of.get(a, a), b) for a, b in features])
+
+        report = self.report("soup.off", "--features", "model.feat")
+        self.assertEqual(counts(report), counts(flange_field().report))
+        number_turned = int(re.search(r"orientation: (\d+)", "".join(report["warnings"])).group(1))
+        self.assertIn(number_turned, (len(turned), len(faces) - len(turned)))
+        self.assert_warnings(report, duplicate_vertices_merged=len(copy_of),
+                             degenerate_or_duplicate_faces_removed=4,
+                             faces_turned_around_for_a_consistent_orientation=number_turned)
+
+    def test_cubes_that_share_an_edge_are_taken_apart(self):
+        second = {0: 0, 4: 4}  # the shared edge
+        points = list(CUBE_POINTS)
+        for vertex, (x, y, z) in enumerate(CUBE_POINTS):
+            if vertex not in second:
+                second[vertex] = len(points)
+                points.append((-x, -y, z))
+        faces = CUBE_FACES + [tuple(second[vertex] for vertex in face) for face in CUBE_FACES]
+        edges = set(CUBE_EDGES) | {(second[a], second[b]) for a, b in CUBE_EDGES}
+        self.assertEqual(len(edges), 23)
+        self.write("cubes.off", off_text(points, faces))
+        self.write_features(edges)
+        report = self.report("cubes.off", "--features", "model.feat")
+        self.assertEqual(report["feature_edges"], 24)
+        self.assertEqual((report["faces"], report["vertices"], report["patches"]), (24, 16, 12))
+        self.assertEqual(report["index_histogram"]["constrained"], {"1": 48})
+        self.assert_warnings(report, vertices_duplicated_where_the_surface_is_not_a_manifold=2)
+
+    def test_squares_are_triangulated(self):
+        report = self.report(self.write("squares.off", off_text(CUBE_POINTS, CUBE_SQUARES)))
+        self.assertEqual(counts(report), CUBE_COUNTS)
+        self.assert_warnings(report, faces_of_more_than_three_vertices_triangulated=6)
+
+    def test_faces_that_share_no_vertices_are_told(self):
+        points = [CUBE_POINTS[vertex] for face in CUBE_FACES for vertex in face]
+        faces = [(3 * f, 3 * f + 1, 3 * f + 2) for f in range(len(CUBE_FACES))]
+        report = self.report(self.write("loose.off", off_text(points, faces)))
+        self.assertIn("border vertices that lie on others", "".join(report["warnings"]))
+
+    def test_warnings_are_shown_even_when_quiet(self):
+        self.write("squares.off", off_text(CUBE_POINTS, CUBE_SQUARES))
+        report = self.report("squares.off")
+        stderr = self.succeed("squares.off", "--quiet").stderr
+        self.assertEqual(stderr, "".join(f"cad_frame_field: warning: {warning}\n" for warning in report["warnings"]))
+
+    def test_model_of_degenerate_faces_only(self):
+        name = self.write("model.off", off_text(CUBE_POINTS, [(0, 0, 1), (2, 3, 2)]))
+        completed = self.run_program(name)
+        self.assertEqual(completed.returncode, BAD_FILE)
+        self.assertIn("error: model.off: ", completed.stderr.splitlines()[-1])
+
+
+class Formats(ProgramTest):
+    def test_all_formats_give_the_same_counts(self):
+        points, faces = read_off(flange())
+        expected = counts(self.report(flange()))
+        for name, make_text in (("model.obj", obj_text), ("model.ply", ply_text), ("model.stl", stl_text),
+                                ("model.OFF", off_text)):
+            with self.subTest(name):
+                self.assertEqual(counts(self.report(self.write(name, make_text(points, faces)))), expected)
+
+    def test_vertices_keep_their_numbers(self):
+        points, faces = read_off(flange())
+        for name, make_text in (("model.obj", obj_text), ("model.ply", ply_text)):
+            with self.subTest(name):
+                self.write(name, make_text(points, faces))
+                self.assertEqual(counts(self.report(name, "--features", flange_features())),
+                                 counts(flange_field().report))
+
+    def test_own_output_can_be_read_again(self):
+        for options in ((), ("--ascii",)):
+            (self.folder / "again.ply").write_bytes(self.output(flange(), "--features", flange_features(), *options))
+            report = self.report("again.ply", "--features", flange_features())
+            first = flange_field().report
+            expected = {**counts(first), "faces": first["faces_after_split"], "split_faces": 0,
+                        "vertices": first["vertices"] + first["split_faces"]}
+            self.assertEqual(counts(report), expected)
+
+
+class CgalModels(ProgramTest):
+    def test_models_of_cgal(self):
+        for name in ("fandisk", "anchor_dense", "mech-holes-shark", "joint", "pinion_small", "rotor_small",
+                     "couplingdown", "cube-meshed", "oblong", "part", "u", "cross"):
+            model = paths.cgal_data / "meshes" / f"{name}.off"
+            if not model.is_file():
+                self.skipTest(f"there is no {model}")
+            with self.subTest(name):
+                field = computed_field(model)
+                self.assert_poincare_hopf(field)
+                self.assertEqual(field.report["unmeshable_after"], 0)
+                self.assertEqual(self.report(model, "--no-repair")["unmeshable_after"], 0)
+
+
+class CadModels(ProgramTest):
+    def test_real_models_against_an_independent_implementation(self):
+        reference = paths.cad_data / "reference.csv"
+        if not reference.is_file():
+            self.skipTest(f"there is no {reference}")
+        with open(reference, newline="") as file:
+            rows = [row for row in csv.DictReader(file) if row["features"] in ("feat", "all")]
+        for row in rows:
+            with self.subTest(model=row["model"], features=row["features"]):
+                model = paths.cad_data / row["model"]
+                arguments = (model, "--features", model.with_suffix("." + row["features"]))
+                report = self.report(*arguments)
+                for key, column in (("faces", "faces"), ("faces_after_split", "faces_after_split"),
+                                    ("patches", "patches"), ("sharp_corners", "sectors_below_135deg")):
+                    self.assertEqual(report[key], int(row[column]), key)
+                self.assertEqual(report["unmeshable_after"], 0)
+
+                report = self.report(*arguments, "--no-repair", "--no-relaxation", "--no-baseline")
+                self.assertLessEqual(report["unmeshable_after"], int(row["unmeshable_rings4"]))
+                self.assertEqual(report["unmeshable_after"], len(report["unmeshable_sectors"]))
+
+    def test_indices_of_each_patch_sum_up_to_its_euler_characteristic(self):
+        models = sorted(paths.cad_data.glob("*.off"))
+        if not models:
+            self.skipTest(f"there are no models in {paths.cad_data}")
+        for model in models:
+            with self.subTest(model.name):
+                self.assert_poincare_hopf(computed_field(model, "--features", model.with_suffix(".feat")))
+
+
+class Examples(ProgramTest):
+    def run_example(self, name):
+        """The words of each line that an example prints for CGAL's fandisk."""
+        example, model = paths.program.with_name(name), paths.cgal_data / "meshes/fandisk.off"
+        for path in (example, model):
+            if not path.is_file():
+                self.skipTest(f"there is no {path}")
+        completed = run(example, model)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        return [line.split() for line in completed.stdout.splitlines()]
+
+    def test_surface_mesh_example_prints_four_unit_vectors(self):
+        vectors = [tuple(map(float, words)) for words in self.run_example("frame_field_surface_mesh")]
+        self.assertEqual(len(vectors), 4)
+        for vector, opposite in zip(vectors, vectors[2:] + vectors[:2]):
+            self.assertAlmostEqual(norm(vector), 1, delta=1e-5)
+            self.assertAlmostEqual(dot(vector, opposite), -1, delta=1e-5)
+
+    def test_polyhedron_example_counts_as_many_singular_corners_as_the_program(self):
+        line, = self.run_example("frame_field_polyhedron")
+        field = computed_field(paths.cgal_data / "meshes/fandisk.off")
+        self.assertEqual(int(line[0]), sum(index != 0 for index in field.index.values()))
+
+    def test_examples_that_cannot_read_their_model_fail(self):
+        for name in ("frame_field_surface_mesh", "frame_field_polyhedron"):
+            self.run_example(name)  # or skip
+            completed = run(paths.program.with_name(name), "missing.off")
+            self.assertEqual(completed.returncode, 1)
+            self.assertIn("missing.off", completed.stderr)
+
+    def test_listing_of_the_readme_stands_in_the_example(self):
+        readme = (paths.sources / "README.md").read_text()
+        example = (paths.sources / "examples/Frame_fields/frame_field_surface_mesh.cpp").read_text()
+        listings = re.findall(r"^```cpp\n(.*?)^```$", readme, re.DOTALL | re.MULTILINE)
+        self.assertGreater(len(listings), 0)
+        for listing in listings:
+            self.assertIn("\n" + listing, example)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, epilog="Further arguments, such as tests, go to unittest.")
+    parser.add_argument("program", type=pathlib.Path, help="the executable cad_frame_field; the examples are beside it")
+    parser.add_argument("sources", type=pathlib.Path, help="the folder of the package")
+    parser.add_argument("cgal_data", type=pathlib.Path, help="the data folder of CGAL, which holds meshes/")
+    parser.add_argument("cad_data", type=pathlib.Path, help="a folder with CAD models, which may be missing")
+    _, arguments_of_unittest = parser.parse_known_args(namespace=paths)
+    for name, path in vars(paths).items():
+        setattr(paths, name, path.resolve())
+    unittest.main(argv=[sys.argv[0], *arguments_of_unittest])
+
+
+if __name__ == "__main__":
+    main()
