@@ -130,7 +130,7 @@ try
   {
     const Summary summary = run(*options);
     if(!options->is_quiet)
-      print_table(summary);
+      print_table(summary, options->is_verbose);
   }
   check_standard_output();
   return DONE;

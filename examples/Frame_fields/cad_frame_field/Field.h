@@ -6,6 +6,8 @@
 #include "Mesh.h"
 #include "Options.h"
 
+#include "../principal_directions.h"
+
 #include <CGAL/Frame_fields.h>
 
 #include <CGAL/number_type_config.h>
@@ -33,6 +35,7 @@ struct Field
   Mesh::Property_map<Halfedge, int> index;
   std::vector<Halfedge> sharp_corners;
   CGAL::Frame_fields::Statistics statistics;
+  CGAL::Frame_fields::Field_quality quality;
 };
 
 inline Exit_code exit_code_of(const CGAL::Frame_fields::Error_code error_code)
@@ -57,6 +60,17 @@ inline double radians(const double degrees)
   return degrees * CGAL_PI / 180;
 }
 
+// Guides the field by the principal directions of curvature.
+inline auto curvature_guide(const Mesh& mesh, const double weight_factor)
+{
+  const auto direction = get(CGAL::dynamic_face_property_t<Vector>(), mesh);
+  const auto weight = get(CGAL::dynamic_face_property_t<double>(), mesh);
+  principal_directions(mesh, direction, weight);
+  for(const Face f : mesh.faces())
+    put(weight, f, weight_factor * get(weight, f));
+  return CGAL::Frame_fields::parameters::guiding_direction_map(direction).guiding_weight_map(weight);
+}
+
 inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Options& options, Console& console)
 {
   namespace parameters = CGAL::Frame_fields::parameters;
@@ -64,6 +78,7 @@ inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Optio
   const auto np = parameters::edge_is_constrained_map(is_feature)
                     .support_strategy(support_strategy_from(options.support))
                     .sharp_corner_bound(radians(options.sharp_corner_bound))
+                    .edge_weighting(options.edge_weighting)
                     .repair_matching(options.repairs_matching)
                     .relax_orthogonality(options.relaxes_orthogonality)
                     .matching_map(field.matching)
@@ -72,7 +87,17 @@ inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Optio
                     .statistics(std::ref(field.statistics))
                     .concurrency_tag(CGAL::Parallel_if_available_tag())
                     .visitor(Stage_visitor(console));
-  check(CGAL::Frame_fields::cad_frame_field(mesh, field.alpha, field.rho, field.index, np), options);
+  const auto compute = [&](const auto& all_parameters)
+  {
+    check(CGAL::Frame_fields::cad_frame_field(mesh, field.alpha, field.rho, field.index, all_parameters), options);
+  };
+  if(options.curvature_weight > 0)
+    compute(parameters::join(np, curvature_guide(mesh, options.curvature_weight)));
+  else
+    compute(np);
+  if(options.is_verbose)
+    check(CGAL::Frame_fields::frame_field_quality(mesh, field.alpha, field.rho, field.matching, field.quality, np),
+          options);
   return field;
 }
 

@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "known_extensions.h"
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 
 #include <boost/lexical_cast/try_lexical_convert.hpp>
@@ -11,11 +12,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 struct Options
@@ -25,13 +29,15 @@ struct Options
   double feature_angle; // degrees
   std::string support;
   double sharp_corner_bound; // degrees
+  CGAL::Frame_fields::Edge_weighting edge_weighting;
+  double curvature_weight;
   bool repairs_matching;
   bool relaxes_orthogonality;
   bool computes_baseline;
 
   std::optional<std::string> ply, vtp, report;
   bool writes_ascii;
-  bool is_quiet;
+  bool is_quiet, is_verbose;
 };
 
 inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::string& text)
@@ -44,13 +50,32 @@ inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::str
   if(text == "component")
     return Support_strategy::component();
 
+  if(text == "radius")
+    return Support_strategy::radius();
+
+  const std::string radius_prefix = "radius:";
+  double radius;
+  if(text.compare(0, radius_prefix.size(), radius_prefix) == 0
+     && boost::conversion::try_lexical_convert(text.substr(radius_prefix.size()), radius) && radius > 0
+     && std::isfinite(radius))
+    return Support_strategy::radius(radius);
+
   const std::string prefix = "rings:", digits = text.substr((std::min)(prefix.size(), text.size()));
   unsigned int number_of_rings;
   if(text.compare(0, prefix.size(), prefix) != 0 || digits.empty()
      || !std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isdigit(c); })
      || !boost::conversion::try_lexical_convert(digits, number_of_rings))
-    throw Failure(BAD_USAGE, "--support is '" + text + "' and must be none, local, rings:K or component");
+    throw Failure(BAD_USAGE, "--support is '" + text + "' and must be none, local, rings:K, radius, radius:R or component");
   return Support_strategy::rings(number_of_rings);
+}
+
+inline CGAL::Frame_fields::Edge_weighting edge_weighting_from(const std::string& text)
+{
+  if(text == "uniform")
+    return CGAL::Frame_fields::UNIFORM_WEIGHTS;
+  if(text == "geometric")
+    return CGAL::Frame_fields::PRIMAL_OVER_DUAL_LENGTH;
+  throw Failure(BAD_USAGE, "--edge-weights is '" + text + "' and must be uniform or geometric");
 }
 
 inline boost::program_options::options_description option_descriptions()
@@ -64,7 +89,12 @@ inline boost::program_options::options_description option_descriptions()
     ("feature-angle", po::value<double>()->value_name("DEG")->default_value(40, "40"),
      "without --features: edges whose faces' normals differ by DEG degrees or more are features")
     ("support", po::value<std::string>()->value_name("S")->default_value("rings:4"),
-     "where the rotation prescribed at sharp corners is compensated: none, local, rings:K or component")
+     "where the rotation prescribed at sharp corners is compensated: none, local, rings:K, radius:R\n"
+     "(a length of the model), radius (from the lengths of the feature curves) or component")
+    ("edge-weights", po::value<std::string>()->value_name("W")->default_value("uniform"),
+     "uniform, or geometric: by the shapes of the triangles, so that the field depends little on the mesh")
+    ("curvature-weight", po::value<double>()->value_name("W")->default_value(0, "0"),
+     "how strongly the principal directions of curvature guide the field; 0 for not at all")
     ("sharp-corner-bound", po::value<double>()->value_name("DEG")->default_value(135, "135"),
      "sectors of less than DEG degrees are sharp corners")
     ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
@@ -75,6 +105,7 @@ inline boost::program_options::options_description option_descriptions()
     ("vtp", file(), "write faces, features and singular sectors as VTK PolyData, for ParaView")
     ("report", file(), "write the numbers as JSON")
     ("quiet", "print nothing but warnings and errors")
+    ("verbose", "print figures of the quality of the field, too")
     ("help", "print this text")
     ("version", "print the version");
   return options;
@@ -115,12 +146,23 @@ inline std::optional<std::string> file_option(const boost::program_options::vari
   return variables[name].as<std::string>();
 }
 
-inline void check_outputs_differ(const Options& options)
+// The same for all ways to write a path.
+inline std::string unique_name(const std::string& path)
 {
-  std::set<std::string> names;
-  for(const auto& name : { options.ply, options.vtp, options.report })
-    if(name && !names.insert(*name).second)
-      throw Failure(BAD_USAGE, "two outputs have the same name " + *name);
+  std::error_code error;
+  const std::filesystem::path name = std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  return error ? path : name.string();
+}
+
+// No output may replace an input or another output.
+inline void check_files_differ(const Options& options)
+{
+  std::set<std::string> names{ unique_name(options.model) };
+  if(options.features)
+    names.insert(unique_name(*options.features));
+  for(const auto& path : { options.ply, options.vtp, options.report })
+    if(path && !names.insert(unique_name(*path)).second)
+      throw Failure(BAD_USAGE, *path + ": this is an input or another output already; give another name");
 }
 
 inline boost::program_options::variables_map parse_command_line(const int argc, const char* const* const argv)
@@ -152,7 +194,7 @@ try
     std::cout << "cad_frame_field " FRAME_FIELDS_VERSION "\n";
     return std::nullopt;
   }
-  if(!variables.count("model"))
+  if(!variables.count("model") || variables["model"].as<std::string>().empty())
     throw Failure(BAD_USAGE, "MODEL is missing; cad_frame_field --help tells the usage");
   if(variables.count("features") && !variables["feature-angle"].defaulted())
     throw Failure(BAD_USAGE, "--features and --feature-angle exclude each other");
@@ -163,6 +205,10 @@ try
   options.feature_angle = angle_option(variables, "feature-angle", 180);
   options.support = variables["support"].as<std::string>();
   support_strategy_from(options.support); // a wrong one is reported before the model is read
+  options.edge_weighting = edge_weighting_from(variables["edge-weights"].as<std::string>());
+  options.curvature_weight = variables["curvature-weight"].as<double>();
+  if(!(options.curvature_weight >= 0 && std::isfinite(options.curvature_weight)))
+    throw Failure(BAD_USAGE, "--curvature-weight must be a number that is not negative");
   options.sharp_corner_bound = angle_option(variables, "sharp-corner-bound", 360);
   options.repairs_matching = !variables.count("no-repair");
   options.relaxes_orthogonality = !variables.count("no-relaxation");
@@ -172,7 +218,8 @@ try
   options.report = file_option(variables, "report");
   options.writes_ascii = variables.count("ascii");
   options.is_quiet = variables.count("quiet");
-  check_outputs_differ(options);
+  options.is_verbose = variables.count("verbose");
+  check_files_differ(options);
   return options;
 }
 catch(const boost::program_options::error& error)

@@ -34,6 +34,7 @@ struct Summary
   std::optional<std::size_t> unmeshable_before; // nothing without the baseline
   std::vector<Unmeshable_sector> unmeshable_sectors;
   CGAL::Frame_fields::Statistics statistics;
+  CGAL::Frame_fields::Field_quality quality; // with --verbose
   double seconds_reading = 0, seconds_baseline = 0, seconds_writing = 0;
   std::vector<std::string> warnings;
 };
@@ -62,6 +63,7 @@ inline void summarize_field(const Mesh& mesh, const Feature_map is_feature, cons
     ++(sector.is_constrained ? summary.constrained_indices : summary.interior_indices)[field.index[sector.halfedge]];
   summary.unmeshable_sectors = find_unmeshable_sectors(mesh, is_feature, sectors, field.index);
   summary.statistics = field.statistics;
+  summary.quality = field.quality;
 }
 
 #endif // CAD_FRAME_FIELD_SUMMARY_H

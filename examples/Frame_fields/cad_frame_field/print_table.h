@@ -4,6 +4,8 @@
 #include "Failure.h"
 #include "Summary.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -41,7 +43,18 @@ inline void print_seconds(const CGAL::Frame_fields::Stage_seconds& seconds)
   print_row("  relaxation", seconds.relaxation);
 }
 
-inline void print_table(const Summary& summary)
+inline void print_quality(const CGAL::Frame_fields::Field_quality& quality)
+{
+  const double degrees = 180 / CGAL_PI;
+  print_row("mean rotation", degrees * quality.mean_rotation);
+  print_row("largest rotation", degrees * quality.maximum_rotation);
+  print_row("curl", quality.curl);
+  print_row("mean skewness", degrees * quality.mean_skewness);
+  print_row("largest skewness", degrees * quality.maximum_skewness);
+  print_row("largest misalignment", degrees * quality.maximum_misalignment);
+}
+
+inline void print_table(const Summary& summary, const bool is_verbose)
 {
   const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
   print_row("faces", summary.faces);
@@ -55,9 +68,12 @@ inline void print_table(const Summary& summary)
   print_row("unmeshable corners", (summary.unmeshable_before ? std::to_string(*summary.unmeshable_before) + " -> " : "")
                                     + std::to_string(summary.unmeshable_sectors.size()));
   print_row("repaired corners", statistics.number_of_repaired_sectors);
+  print_row("unnatural corners", statistics.number_of_unnatural_corners);
   print_row("orthogonal energy", statistics.energy_orthogonal);
   print_row("relaxed energy", statistics.energy_relaxed);
   print_row("clamped faces", statistics.number_of_clamped_faces);
+  if(is_verbose)
+    print_quality(summary.quality);
   print_seconds(statistics.seconds);
 }
 

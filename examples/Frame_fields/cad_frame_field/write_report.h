@@ -19,6 +19,8 @@ inline Json json_of(const Options& options)
            { "feature_angle", options.features ? Json() : Json(options.feature_angle) },
            { "support", options.support },
            { "sharp_corner_bound", options.sharp_corner_bound },
+           { "edge_weights", options.edge_weighting == CGAL::Frame_fields::UNIFORM_WEIGHTS ? "uniform" : "geometric" },
+           { "curvature_weight", options.curvature_weight },
            { "repair", options.repairs_matching },
            { "relaxation", options.relaxes_orthogonality } };
 }
@@ -65,6 +67,7 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "unmeshable_before", summary.unmeshable_before ? Json(*summary.unmeshable_before) : Json() },
     { "unmeshable_after", summary.unmeshable_sectors.size() },
     { "repaired_sectors", statistics.number_of_repaired_sectors },
+    { "unnatural_corners", statistics.number_of_unnatural_corners },
     { "index_histogram", { { "interior", json_of(summary.interior_indices) },
                            { "constrained", json_of(summary.constrained_indices) } } },
     { "energy_orthogonal", statistics.energy_orthogonal },
