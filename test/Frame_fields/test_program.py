@@ -387,7 +387,7 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
-        for option in ("MODEL", "--features", "--feature-angle", "--support", "none, local, rings:K or component",
+        for option in ("MODEL", "--features", "--feature-angle", "--support", "none", "local", "rings:K", "component",
                        "--sharp-corner-bound", "--no-repair", "--no-relaxation", "--no-baseline", "-o", "--ascii",
                        "--vtp", "--report", "--quiet", "--help", "--version", "Exit codes"):
             with self.subTest(option):

@@ -70,6 +70,9 @@ struct Statistics
   /// \f$ 1/4 \f$
   std::size_t number_of_repaired_sectors = 0;
 
+  /// the number of sectors on constrained edges that still have an index of \f$ 1/2 \f$ or more
+  std::size_t number_of_unmeshable_sectors = 0;
+
   /// the number of sharp corners that did not get the index nearest to their angle
   std::size_t number_of_unnatural_corners = 0;
 

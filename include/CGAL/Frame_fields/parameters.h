@@ -85,16 +85,16 @@ namespace parameters {
 /// \ingroup PkgFrame_fieldsRef
 ///
 /// returns a sequence of named parameters that holds those of both arguments; a parameter that is in both takes its
-/// value from `np1`.
+/// value from `np2`, as the later one does in a chain.
 ///
 /// Chains that start in `CGAL::parameters` cannot continue with the parameters of this package; this function brings
 /// such a chain together with one that starts in `CGAL::Frame_fields::parameters`.
-template <typename T1, typename Tag1, typename T2, typename Tag2, typename Base2>
-Named_parameters<T1, Tag1, CGAL::Named_function_parameters<T2, Tag2, Base2> >
-join(const CGAL::Named_function_parameters<T1, Tag1>& np1,
-     const CGAL::Named_function_parameters<T2, Tag2, Base2>& np2)
+template <typename T1, typename Tag1, typename Base1, typename T2, typename Tag2>
+Named_parameters<T2, Tag2, CGAL::Named_function_parameters<T1, Tag1, Base1> >
+join(const CGAL::Named_function_parameters<T1, Tag1, Base1>& np1,
+     const CGAL::Named_function_parameters<T2, Tag2>& np2)
 {
-  return { np1.v, np2 };
+  return { np2.v, np1 };
 }
 
 /// \cond SKIP_IN_MANUAL
@@ -102,9 +102,9 @@ template <typename T1, typename Tag1, typename Base1, typename T2, typename Tag2
 auto join(const CGAL::Named_function_parameters<T1, Tag1, Base1>& np1,
           const CGAL::Named_function_parameters<T2, Tag2, Base2>& np2)
 {
-  const auto joined_base = parameters::join(static_cast<const Base1&>(np1), np2);
+  const auto joined_base = parameters::join(np1, static_cast<const Base2&>(np2));
   typedef typename decltype(joined_base)::Pack Pack;
-  return Named_parameters<T1, Tag1, Pack>(np1.v, joined_base);
+  return Named_parameters<T2, Tag2, Pack>(np2.v, joined_base);
 }
 /// \endcond
 

@@ -225,8 +225,10 @@ private:
       for(const Coordinates& point : points)
         if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
           return failure(ERROR_NON_FINITE_COORDINATE, description_of_face(f));
-      if(points[0] == points[1] || points[1] == points[2] || points[2] == points[0])
-        return failure(ERROR_ZERO_LENGTH_EDGE, "in " + description_of_face(f));
+      for(int k = 0; k < 3; ++k)
+        if(points[k] == points[(k + 1) % 3])
+          return failure(ERROR_ZERO_LENGTH_EDGE, "two vertices at " + position(points[k]) + " in "
+                                                 + description_of_face(f));
       for(const double angle : corner_angles(points))
         m_surface.angle.push_back(angle);
       if(measures_lengths)
@@ -324,9 +326,10 @@ private:
     return text.str();
   }
 
-  std::string position(const vertex_descriptor v) const
+  std::string position(const vertex_descriptor v) const { return position(coordinates(v)); }
+
+  static std::string position(const Coordinates& point)
   {
-    const Coordinates point = coordinates(v);
     std::ostringstream text;
     text.precision(17);
     text << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";

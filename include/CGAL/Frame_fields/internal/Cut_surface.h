@@ -275,7 +275,9 @@ inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weight
       if(opposite < halfedge)
         continue;
       surface.dual_edges.push_back({ halfedge, opposite });
-      surface.transport.push_back(halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI);
+      // between -pi and pi, so that c_ji = -c_ij and the matching can be used without the order of the faces here
+      surface.transport.push_back(std::remainder(
+        halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI, 2 * CGAL_PI));
       surface.weight.push_back(edge_weight(surface, surface.dual_edges.back(), weighting));
     }
     patch.dual_edges.end_index = surface.number_of_dual_edges();

@@ -18,11 +18,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What a stage says of one patch. For a failure, `sector` is the one at fault, -1 if it is the patch as a whole.
+// What a stage says of one patch. For a failure, `sector` is the one at fault, or any one if it is the whole patch.
 struct Patch_result
 {
   Error_code error_code = OK;
-  int sector = -1;
+  int sector = 0;
   int missing_index = 0; // with ERROR_POINCARE_HOPF: what 4 I lacks in the patch of the sector
 };
 

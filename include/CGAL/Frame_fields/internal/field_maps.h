@@ -48,11 +48,17 @@ Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
 {
   if(patch_result.error_code == OK)
     return {};
-  if(patch_result.error_code == ERROR_POINCARE_HOPF)
-    return failure(ERROR_POINCARE_HOPF, std::to_string(patch_result.missing_index) + "/4 is missing in the patch of "
-                                        + cut_mesh.description_of_sector(patch_result.sector));
-  return failure(patch_result.error_code, patch_result.sector < 0 ? std::string("in one patch of the cut surface")
-                                          : cut_mesh.description_of_sector(patch_result.sector));
+  const std::string sector = cut_mesh.description_of_sector(patch_result.sector);
+  switch(patch_result.error_code)
+  {
+    case ERROR_POINCARE_HOPF:
+      return failure(ERROR_POINCARE_HOPF,
+                     std::to_string(patch_result.missing_index) + "/4 is missing in the patch of " + sector);
+    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
+      return failure(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, "in the patch of " + sector);
+    default:
+      return failure(patch_result.error_code, sector);
+  }
 }
 
 template <typename CutMesh, typename FaceMap, typename Value>

@@ -151,10 +151,13 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
                       const StageClock& clock, Statistics& statistics)
 {
   statistics.number_of_patches = surface.patches.size();
+  statistics.number_of_unmeshable_sectors = 0;
   statistics.number_of_sharp_corners = 0;
   statistics.number_of_unnatural_corners = 0;
   for(int sector = 0; sector < surface.number_of_sectors(); ++sector)
   {
+    if(is_unmeshable(surface, field.index, sector))
+      ++statistics.number_of_unmeshable_sectors;
     if(!is_sharp_corner(surface, sector, options.sharp_corner_bound))
       continue;
     ++statistics.number_of_sharp_corners;

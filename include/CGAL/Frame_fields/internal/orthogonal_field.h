@@ -148,7 +148,7 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
                        ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
                        : smallest_eigenvector(solver, system.matrix(), z);
   if(!is_solved)
-    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
     alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)

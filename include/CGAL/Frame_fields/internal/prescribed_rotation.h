@@ -140,7 +140,7 @@ Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch
   if(result.error_code != OK || !is_needed)
     return result;
   if(!least_norm_rotation(surface, patch, demand, solver_traits.real_solver_object(), omega))
-    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
   return {};
 }
 

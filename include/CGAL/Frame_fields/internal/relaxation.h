@@ -218,7 +218,7 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
   auto solver = solver_traits.real_solver_object();
   std::vector<double> solution;
   if(!factor_and_solve(solver, system.matrix(), system.right_hand_side(), solution))
-    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, -1 };
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
   number_of_clamped_faces = 0;
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
