@@ -60,7 +60,8 @@ public:
   /// out depends little on the mesh, in particular with the weights `PRIMAL_OVER_DUAL_LENGTH`.
   ///
   /// \param radius a length of the mesh; by default, half the length of the shorter one of the two constrained curves
-  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$
+  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but not
+  ///        beyond the distance \f$ r \f$ up to which the patch fills at least 0.8 of the wedge \f$ \theta r^2 / 2 \f$
   static Support_strategy radius(const double radius = 0) { return Support_strategy(RADIUS, 0, radius); }
 
   /// returns the kind of the strategy.

@@ -176,25 +176,71 @@ struct Receiver
   double part;
 };
 
-// The sectors that are not sharp corners within `radius`, or the nearest one, with parts proportional to their areas.
-inline std::vector<Receiver> receivers_in_radius(const Cut_surface& surface, const int corner, const double radius,
-                                                 const double bound, Geodesic_distances& distances)
+// A sector that a walk from a sharp corner reached.
+struct Reached_sector
+{
+  int sector;
+  double distance, area;
+};
+
+inline std::vector<Reached_sector> sectors_in_radius(const Cut_surface& surface, const int corner, const double radius,
+                                                     Geodesic_distances& distances)
+{
+  std::vector<Reached_sector> result;
+  distances.walk_from(corner, [&](const int sector, const double distance)
+  {
+    if(distance > radius)
+      return false;
+    result.push_back({ sector, distance, sector_area(surface, sector) });
+    return true;
+  });
+  return result;
+}
+
+// Leaves the sectors up to the largest distance at which they fill most of the wedge that the corner's angle opens. Beyond
+// it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
+inline void keep_the_wedge(const Cut_surface& surface, const int corner, std::vector<Reached_sector>& sectors)
+{
+  const double least_filled_part = 0.8;
+  std::size_t kept = 0;
+  double area = 0;
+  for(std::size_t k = 0; k < sectors.size(); ++k)
+  {
+    area += sectors[k].area;
+    const double wedge = surface.total_angle[corner] * sectors[k].distance * sectors[k].distance / 2;
+    if(area >= least_filled_part * wedge)
+      kept = k + 1;
+  }
+  sectors.resize(kept);
+}
+
+// The sectors that are not sharp corners among those reached, with parts proportional to their areas.
+inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const std::vector<Reached_sector>& sectors,
+                                             const double bound)
 {
   std::vector<Receiver> receivers;
   double total_area = 0;
-  distances.walk_from(corner, [&](const int sector, const double distance)
-  {
-    if(distance > radius && !receivers.empty())
-      return false;
-    if(!is_sharp_corner(surface, sector, bound))
+  for(const Reached_sector& reached : sectors)
+    if(!is_sharp_corner(surface, reached.sector, bound))
     {
-      receivers.push_back({ sector, sector_area(surface, sector) });
-      total_area += receivers.back().part;
+      receivers.push_back({ reached.sector, reached.area });
+      total_area += reached.area;
     }
-    return true;
-  });
   for(Receiver& receiver : receivers)
     receiver.part = total_area > 0 ? receiver.part / total_area : 1. / static_cast<double>(receivers.size());
+  return receivers;
+}
+
+inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const int corner, const double bound,
+                                              Geodesic_distances& distances)
+{
+  std::vector<Receiver> receivers;
+  distances.walk_from(corner, [&](const int sector, double)
+  {
+    if(!is_sharp_corner(surface, sector, bound))
+      receivers.push_back({ sector, 1 });
+    return receivers.empty();
+  });
   return receivers;
 }
 
@@ -218,12 +264,21 @@ public:
   {
     if(m_strategy.kind() == Support_strategy::RINGS)
       return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bound, m_rings));
-    const double radius = m_strategy.support_radius() > 0 ? m_strategy.support_radius()
-                                                          : local_feature_length(m_surface, corner);
-    return receivers_in_radius(m_surface, corner, radius, m_bound, m_distances);
+    const std::vector<Receiver> receivers = receivers_among(m_surface, supporting_sectors(corner), m_bound);
+    return receivers.empty() ? nearest_receiver(m_surface, corner, m_bound, m_distances) : receivers;
   }
 
 private:
+  std::vector<Reached_sector> supporting_sectors(const int corner)
+  {
+    if(m_strategy.support_radius() > 0)
+      return sectors_in_radius(m_surface, corner, m_strategy.support_radius(), m_distances);
+    std::vector<Reached_sector> sectors =
+      sectors_in_radius(m_surface, corner, local_feature_length(m_surface, corner), m_distances);
+    keep_the_wedge(m_surface, corner, sectors);
+    return sectors;
+  }
+
   const Cut_surface& m_surface;
   const Support_strategy& m_strategy;
   double m_bound;
