@@ -43,7 +43,14 @@ void check_outputs(const Options& options)
 Model read_model(const Options& options, Console& console)
 {
   console.show_progress("reading " + options.model);
-  return make_model(options.model, read_soup(options.model), console);
+  try
+  {
+    return make_model(options.model, read_soup(options.model), console);
+  }
+  catch(const std::bad_alloc&)
+  {
+    throw Failure(BAD_FILE, options.model + ": more memory is needed than there is; a damaged header can be the cause");
+  }
 }
 
 Feature_map mark_features(const Options& options, Model& model, Console& console)
@@ -98,7 +105,7 @@ Summary run(const Options& options)
   if(options.computes_baseline)
     summary.seconds_baseline = seconds_of([&]
       { summarize_baseline(options, mesh, is_feature, all_sectors, console, summary); });
-  const Field field = compute_field(mesh, is_feature, options, console);
+  const Field field = compute_field(model, is_feature, options, console);
   summarize_field(mesh, is_feature, all_sectors, field, summary);
 
   summary.seconds_writing = seconds_of([&]

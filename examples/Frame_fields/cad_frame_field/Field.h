@@ -4,7 +4,9 @@
 #include "Console.h"
 #include "Failure.h"
 #include "Mesh.h"
+#include "Model.h"
 #include "Options.h"
+#include "index_targets.h"
 
 #include "../principal_directions.h"
 
@@ -71,8 +73,9 @@ inline auto curvature_guide(const Mesh& mesh, const double weight_factor)
   return CGAL::Frame_fields::parameters::guiding_direction_map(direction).guiding_weight_map(weight);
 }
 
-inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Options& options, Console& console)
+inline Field compute_field(Model& model, const Feature_map is_feature, const Options& options, Console& console)
 {
+  Mesh& mesh = model.mesh;
   namespace parameters = CGAL::Frame_fields::parameters;
   Field field(mesh);
   const auto np = parameters::edge_is_constrained_map(is_feature)
@@ -91,10 +94,18 @@ inline Field compute_field(Mesh& mesh, const Feature_map is_feature, const Optio
   {
     check(CGAL::Frame_fields::cad_frame_field(mesh, field.alpha, field.rho, field.index, all_parameters), options);
   };
+  const auto compute_with_targets = [&](const auto& other_parameters)
+  {
+    if(options.index_targets)
+      compute(parameters::join(other_parameters, parameters::index_target_map(
+        mark_index_targets(*options.index_targets, model, is_feature))));
+    else
+      compute(other_parameters);
+  };
   if(options.curvature_weight > 0)
-    compute(parameters::join(np, curvature_guide(mesh, options.curvature_weight)));
+    compute_with_targets(parameters::join(np, curvature_guide(mesh, options.curvature_weight)));
   else
-    compute(np);
+    compute_with_targets(np);
   if(options.is_verbose)
     check(CGAL::Frame_fields::frame_field_quality(mesh, field.alpha, field.rho, field.matching, field.quality, np),
           options);

@@ -25,7 +25,7 @@
 struct Options
 {
   std::string model;
-  std::optional<std::string> features;
+  std::optional<std::string> features, index_targets;
   double feature_angle; // degrees
   std::string support;
   double sharp_corner_bound; // degrees
@@ -95,6 +95,9 @@ inline boost::program_options::options_description option_descriptions()
      "uniform, or geometric: by the shapes of the triangles, so that the field depends little on the mesh")
     ("curvature-weight", po::value<double>()->value_name("W")->default_value(0, "0"),
      "how strongly the principal directions of curvature guide the field; 0 for not at all")
+    ("index-targets", file(),
+     "read singularities that the field must have: a vertex index of MODEL that is on no feature edge and 4 times\n"
+     "its index a line; the patches of these vertices then have no other singularities inside")
     ("sharp-corner-bound", po::value<double>()->value_name("DEG")->default_value(135, "135"),
      "sectors of less than DEG degrees are sharp corners")
     ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
@@ -158,8 +161,9 @@ inline std::string unique_name(const std::string& path)
 inline void check_files_differ(const Options& options)
 {
   std::set<std::string> names{ unique_name(options.model) };
-  if(options.features)
-    names.insert(unique_name(*options.features));
+  for(const auto& path : { options.features, options.index_targets })
+    if(path)
+      names.insert(unique_name(*path));
   for(const auto& path : { options.ply, options.vtp, options.report })
     if(path && !names.insert(unique_name(*path)).second)
       throw Failure(BAD_USAGE, *path + ": this is an input or another output already; give another name");
@@ -202,6 +206,7 @@ try
   Options options;
   options.model = variables["model"].as<std::string>();
   options.features = file_option(variables, "features");
+  options.index_targets = file_option(variables, "index-targets");
   options.feature_angle = angle_option(variables, "feature-angle", 180);
   options.support = variables["support"].as<std::string>();
   support_strategy_from(options.support); // a wrong one is reported before the model is read

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
@@ -44,18 +43,11 @@ inline Vertex_pair parse_vertex_pair(const std::string& path, const std::size_t 
 
 inline std::vector<Vertex_pair> read_vertex_pairs(const std::string& path, const std::size_t number_of_vertices)
 {
-  std::ifstream in = open_input(path);
   std::vector<Vertex_pair> pairs;
-  std::size_t line_number = 0;
-  for(std::string line; std::getline(in, line);)
+  for_each_line(path, [&](const std::size_t line_number, const std::string& content)
   {
-    ++line_number;
-    const std::string content = line.substr(0, line.find('#'));
-    if(content.find_first_not_of(" \t\r") != std::string::npos)
-      pairs.push_back(parse_vertex_pair(path, line_number, content, number_of_vertices));
-  }
-  if(in.bad())
-    throw Failure(BAD_FILE, path + ": cannot be read beyond line " + std::to_string(line_number));
+    pairs.push_back(parse_vertex_pair(path, line_number, content, number_of_vertices));
+  });
   return pairs;
 }
 

@@ -29,6 +29,23 @@ struct Line
   std::string text;
 };
 
+// Calls `visit(line_number, content)` for the lines of a text file that hold more than a comment, which `#` starts.
+template <typename Visit>
+void for_each_line(const std::string& path, const Visit& visit)
+{
+  std::ifstream in = open_input(path);
+  std::size_t line_number = 0;
+  for(std::string line; std::getline(in, line);)
+  {
+    ++line_number;
+    const std::string content = line.substr(0, line.find('#'));
+    if(content.find_first_not_of(" \t\r") != std::string::npos)
+      visit(line_number, content);
+  }
+  if(in.bad())
+    throw Failure(BAD_FILE, path + ": cannot be read beyond line " + std::to_string(line_number));
+}
+
 // The line that a reader was in, or had just finished, at a position.
 inline Line line_before(const std::string& path, const std::streamoff position)
 {

@@ -18,6 +18,7 @@ inline Json json_of(const Options& options)
   return { { "features", options.features ? Json(*options.features) : Json() },
            { "feature_angle", options.features ? Json() : Json(options.feature_angle) },
            { "support", options.support },
+           { "index_targets", options.index_targets ? Json(*options.index_targets) : Json() },
            { "sharp_corner_bound", options.sharp_corner_bound },
            { "edge_weights", options.edge_weighting == CGAL::Frame_fields::UNIFORM_WEIGHTS ? "uniform" : "geometric" },
            { "curvature_weight", options.curvature_weight },
