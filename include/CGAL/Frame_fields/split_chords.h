@@ -12,20 +12,15 @@
 #ifndef CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
 #define CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
 
-#include <CGAL/Frame_fields/split_overconstrained_faces.h>
+#include <CGAL/Frame_fields/internal/Editable_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 /// \file split_chords.h
@@ -81,57 +76,38 @@ The surface does not change.
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    CGAL::internal_np::edge_is_constrained_t, CGAL_NP_CLASS,
-    CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
-  const auto points = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_property_map(CGAL::vertex_point, tm));
-  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
-  const Constraint_map edge_is_constrained = CGAL::parameters::choose_parameter<Constraint_map>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained));
-
-  internal::check_triangles(tm, "split_chords");
-  const auto is_constrained = [&](const halfedge_descriptor h)
-  {
-    return is_border(h, tm) || is_border(opposite(h, tm), tm) || get(edge_is_constrained, edge(h, tm));
-  };
+  const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
+  mesh.check_triangles("split_chords");
   const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
   {
     for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
-      if(is_constrained(around))
+      if(mesh.is_constrained(around))
         return true;
     return false;
   };
   std::vector<halfedge_descriptor> chords;
-  for(const edge_descriptor e : edges(tm))
+  for(const auto e : edges(tm))
   {
     const halfedge_descriptor h = halfedge(e, tm);
-    if(!is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
+    if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
       chords.push_back(h);
   }
 
   // Joins the midpoint at the target of `to_midpoint` to the third vertex of the face.
   const auto split_face = [&](const halfedge_descriptor to_midpoint)
   {
-    const halfedge_descriptor diagonal =
-      CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, tm), tm), tm);
-    internal::mark_unconstrained(edge_is_constrained, edge(diagonal, tm));
+    mesh.mark_unconstrained(CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, tm), tm), tm));
   };
   for(const halfedge_descriptor h : chords)
   {
     const auto midpoint =
-      traits.construct_midpoint_3_object()(get(points, source(h, tm)), get(points, target(h, tm)));
+      mesh.traits().construct_midpoint_3_object()(mesh.point(source(h, tm)), mesh.point(target(h, tm)));
     const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, tm);
-    put(points, target(to_midpoint, tm), midpoint);
-    internal::mark_unconstrained(edge_is_constrained, edge(to_midpoint, tm));
-    internal::mark_unconstrained(edge_is_constrained, edge(h, tm));
+    mesh.set_point(target(to_midpoint, tm), midpoint);
+    mesh.mark_unconstrained(to_midpoint);
+    mesh.mark_unconstrained(h);
     split_face(to_midpoint);
     split_face(opposite(h, tm));
   }
