@@ -52,6 +52,17 @@ inline Json json_of(const std::vector<Unmeshable_sector>& sectors)
   return json;
 }
 
+inline Json json_of(const CGAL::Frame_fields::Field_quality& quality)
+{
+  return { { "energy", quality.energy },
+           { "mean_rotation", quality.mean_rotation },
+           { "maximum_rotation", quality.maximum_rotation },
+           { "curl", quality.curl },
+           { "mean_skewness", quality.mean_skewness },
+           { "maximum_skewness", quality.maximum_skewness },
+           { "maximum_misalignment", quality.maximum_misalignment } };
+}
+
 inline void write_report(std::ostream& out, const Options& options, const Summary& summary)
 {
   const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
@@ -74,6 +85,7 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "energy_orthogonal", statistics.energy_orthogonal },
     { "energy_relaxed", statistics.energy_relaxed },
     { "clamped_faces", statistics.number_of_clamped_faces },
+    { "quality", options.is_verbose ? json_of(summary.quality) : Json() },
     { "seconds", json_of(statistics.seconds) },
     { "seconds_reading", summary.seconds_reading },
     { "seconds_baseline", summary.seconds_baseline },
