@@ -80,8 +80,9 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
                           \f$ 1/2 \f$ or more}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{The changed matching is the one with the smallest \f$ \sum (r_{ij} - \omega_{ij})^2 \f$ for the
-                    field at hand.}
+    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no singularity.
+                    Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. The first
+                    part succeeds in every patch of at least four sectors.}
   \cgalParamNEnd
   \cgalParamNBegin{sharp_corner_bound}
     \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
