@@ -76,47 +76,48 @@ private:
   double m_factor;
 };
 
-// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
-// a graph whose edges are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
+// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, in the variables
+// s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
+//   2 (r0^2 + r1^2) = (2 r - s_i + s_j)^2 + (d_i - sigma d_j)^2,
+// so the sums and the differences do not meet but in aligned faces, where one of gamma0 and gamma1 is 0. That leaves the
+// factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
 class Relaxation_system
 {
 public:
   Relaxation_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
                     const std::vector<int>& matching, const Orthogonality& orthogonality)
     : m_surface(surface), m_patch(patch), m_alpha(alpha), m_matching(matching), m_orthogonality(orthogonality)
+    , m_variable(2 * static_cast<std::size_t>(patch.faces.size()))
   {
-    std::vector<bool> is_fixed = aligned_nodes();
-    fix_one_node_of_each_loose_piece(is_fixed);
-    m_unknown.assign(is_fixed.size(), -1);
-    for(std::size_t node = 0; node < is_fixed.size(); ++node)
-      if(!is_fixed[node])
-        m_unknown[node] = m_size++;
+    for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    {
+      m_variable[sum(f)] = { m_size++, 1 };
+      if(!surface.is_aligned(f))
+        m_variable[difference(f)] = { m_size++, 1 };
+      else
+        m_variable[difference(f)] = { m_variable[sum(f)].unknown, aligned_branch(surface, f, alpha[f]) == 0 ? -1 : 1 };
+    }
+    fix_what_is_free();
   }
-
-  // The number of the unknown of a branch of a face, -1 if its rotation is fixed at 0.
-  int unknown(const int face, const int branch) const { return m_unknown[node(face, branch)]; }
 
   Hermitian_matrix<double> matrix() const
   {
     return assemble<double>(m_size, [this](const auto& add)
     {
-      const auto add_square_of_difference = [&add](const int i, const int j, const double weight)
+      for_each_square([&](const Variable& a, const Variable& b, const double weight)
       {
-        if(i == j)
-          return;
-        if(i >= 0)
-          add(i, i, weight);
-        if(j >= 0)
-          add(j, j, weight);
-        if(i >= 0 && j >= 0)
-          add(i, j, -weight);
-      };
-      for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
-        for(int b = 0; b < 2; ++b)
-          add_square_of_difference(m_unknown[first_node(e, b)], m_unknown[second_node(e, b)], m_surface.weight[e]);
-      if(m_orthogonality.is_positive())
-        for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-          add_square_of_difference(unknown(f, 0), unknown(f, 1), m_orthogonality.weight(f));
+        if(a.unknown >= 0 && a.unknown == b.unknown)
+          add(a.unknown, a.unknown, a.sign == b.sign ? 0. : 4 * weight);
+        else
+        {
+          if(a.unknown >= 0)
+            add(a.unknown, a.unknown, weight);
+          if(b.unknown >= 0)
+            add(b.unknown, b.unknown, weight);
+          if(a.unknown >= 0 && b.unknown >= 0)
+            add(a.unknown, b.unknown, -weight * a.sign * b.sign);
+        }
+      });
     });
   }
 
@@ -125,57 +126,98 @@ public:
     std::vector<double> result(m_size, 0);
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
     {
-      const double r = rotation(m_surface, m_alpha, m_matching, e);
-      for(int b = 0; b < 2; ++b)
-      {
-        const int i = m_unknown[first_node(e, b)], j = m_unknown[second_node(e, b)];
-        if(i >= 0)
-          result[i] += m_surface.weight[e] * r;
-        if(j >= 0)
-          result[j] -= m_surface.weight[e] * r;
-      }
+      const double twice_r = 2 * rotation(m_surface, m_alpha, m_matching, e);
+      const int i = m_variable[sum(first_face(e))].unknown, j = m_variable[sum(second_face(e))].unknown;
+      if(i >= 0)
+        result[i] += m_surface.weight[e] * twice_r;
+      if(j >= 0)
+        result[j] -= m_surface.weight[e] * twice_r;
     }
     return result;
   }
 
+  // gamma0 and gamma1 of a face, exactly 0 for the branch that an aligned face must keep.
+  Branch_rotations branch_rotations(const std::vector<double>& solution, const int face) const
+  {
+    const double s = value(solution, m_variable[sum(face)]), d = value(solution, m_variable[difference(face)]);
+    return { (s + d) / 2, (s - d) / 2 };
+  }
+
 private:
-  int node(const int face, const int branch) const { return 2 * (face - m_patch.faces.begin_index) + branch; }
-  int first_node(const int e, const int b) const { return node(face_of(m_surface.dual_edges[e].halfedge), b); }
-  int second_node(const int e, const int b) const
+  // `sign` times an unknown, or 0 if `unknown` is -1.
+  struct Variable
   {
-    return node(face_of(m_surface.dual_edges[e].opposite), matched_branch(b, m_matching[e]));
+    int unknown, sign;
+
+    Variable operator-() const { return { unknown, -sign }; }
+  };
+
+  int sum(const int face) const { return 2 * (face - m_patch.faces.begin_index); }
+  int difference(const int face) const { return sum(face) + 1; }
+  int first_face(const int e) const { return face_of(m_surface.dual_edges[e].halfedge); }
+  int second_face(const int e) const { return face_of(m_surface.dual_edges[e].opposite); }
+
+  static double value(const std::vector<double>& solution, const Variable& variable)
+  {
+    return variable.unknown < 0 ? 0 : variable.sign * solution[variable.unknown];
   }
 
-  std::vector<bool> aligned_nodes() const
+  // Calls `visit(a, b, weight)` for the terms weight (a - b)^2 of the energy, without the 2 r in the sums.
+  template <typename Visit>
+  void for_each_square(const Visit& visit) const
   {
-    std::vector<bool> is_fixed(2 * static_cast<std::size_t>(m_patch.faces.size()), false);
-    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-      if(m_surface.is_aligned(f))
-        is_fixed[node(f, aligned_branch(m_surface, f, m_alpha[f]))] = true;
-    return is_fixed;
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+    {
+      const int i = first_face(e), j = second_face(e);
+      const Variable& d_j = m_variable[difference(j)];
+      visit(m_variable[sum(i)], m_variable[sum(j)], m_surface.weight[e]);
+      visit(m_variable[difference(i)], m_matching[e] % 2 == 0 ? d_j : -d_j, m_surface.weight[e]);
+    }
+    if(m_orthogonality.is_positive())
+      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+        visit(m_variable[difference(f)], Variable{ -1, 1 }, 2 * m_orthogonality.weight(f));
   }
 
-  // A connected piece of the graph without fixed node is determined only up to a constant.
-  void fix_one_node_of_each_loose_piece(std::vector<bool>& is_fixed) const
+  // What no square holds to 0 may move together, each unknown by the same amount up to its sign. One unknown of each
+  // such piece is fixed at 0. A piece is held if it meets 0 or itself with the other sign.
+  void fix_what_is_free()
   {
-    const int number_of_nodes = static_cast<int>(is_fixed.size());
+    if(m_orthogonality.is_positive() && has_aligned_face())
+      return; // a difference is held, hence all are, and they hold the sums at an aligned face
+
+    const int zero = 2 * m_size, number_of_nodes = zero + 2; // node 2 u is unknown u, node 2 u + 1 is its negative
     std::vector<int> rank(number_of_nodes, 0), parent(number_of_nodes);
     std::iota(parent.begin(), parent.end(), 0);
     boost::disjoint_sets<int*, int*> pieces(rank.data(), parent.data());
-    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
-      for(int b = 0; b < 2; ++b)
-        pieces.union_set(first_node(e, b), second_node(e, b));
-    if(m_orthogonality.is_positive())
-      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-        pieces.union_set(node(f, 0), node(f, 1));
+    const auto node = [&](const Variable& v) { return v.unknown < 0 ? zero : 2 * v.unknown + (v.sign < 0); };
+    pieces.union_set(zero, zero + 1);
+    for_each_square([&](const Variable& a, const Variable& b, double)
+    {
+      pieces.union_set(node(a), node(b));
+      pieces.union_set(node(-a), node(-b));
+    });
 
-    std::vector<bool> is_piece_fixed(number_of_nodes, false);
-    for(int n = 0; n < number_of_nodes; ++n)
-      if(is_fixed[n])
-        is_piece_fixed[pieces.find_set(n)] = true;
-    for(int n = 0; n < number_of_nodes; ++n)
-      if(!is_piece_fixed[pieces.find_set(n)])
-        is_fixed[n] = is_piece_fixed[pieces.find_set(n)] = true;
+    std::vector<bool> is_piece_held(number_of_nodes, false);
+    std::vector<int> new_unknown(m_size, -1);
+    int new_size = 0;
+    for(int u = 0; u < m_size; ++u)
+    {
+      const int piece = pieces.find_set(2 * u), negative_piece = pieces.find_set(2 * u + 1);
+      if(piece == negative_piece || is_piece_held[piece])
+        new_unknown[u] = new_size++;
+      is_piece_held[piece] = is_piece_held[negative_piece] = true;
+    }
+    for(Variable& variable : m_variable)
+      variable.unknown = new_unknown[variable.unknown];
+    m_size = new_size;
+  }
+
+  bool has_aligned_face() const
+  {
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(m_surface.is_aligned(f))
+        return true;
+    return false;
   }
 
   const Cut_surface& m_surface;
@@ -183,7 +225,7 @@ private:
   const std::vector<double>& m_alpha;
   const std::vector<int>& m_matching;
   Orthogonality m_orthogonality;
-  std::vector<int> m_unknown; // per node
+  std::vector<Variable> m_variable; // per face: s and d
   int m_size = 0;
 };
 
@@ -213,8 +255,7 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
                          const std::vector<int>& matching, const Options& options, const SolverTraits& solver_traits,
                          std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
 {
-  const Relaxation_system system(surface, patch, alpha, matching,
-                                 Orthogonality(surface, patch, options));
+  const Relaxation_system system(surface, patch, alpha, matching, Orthogonality(surface, patch, options));
   auto solver = solver_traits.real_solver_object();
   std::vector<double> solution;
   if(!factor_and_solve(solver, system.matrix(), system.right_hand_side(), solution))
@@ -223,8 +264,7 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
   number_of_clamped_faces = 0;
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
   {
-    for(int b = 0; b < 2; ++b)
-      gamma[f][b] = system.unknown(f, b) < 0 ? 0 : solution[system.unknown(f, b)];
+    gamma[f] = system.branch_rotations(solution, f);
     const int fixed_branch = surface.is_aligned(f) ? aligned_branch(surface, f, alpha[f]) : -1;
     if(clamp(gamma[f], fixed_branch, options.maximum_skewness))
       ++number_of_clamped_faces;
