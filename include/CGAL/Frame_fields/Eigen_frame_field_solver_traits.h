@@ -16,6 +16,7 @@
 
 #include <CGAL/tags.h>
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
 #include <complex>
@@ -29,8 +30,8 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// solves hermitian positive definite systems by the sparse Cholesky factorization `Eigen::SimplicialLDLT` with
-/// approximate minimum degree ordering.
+/// solves hermitian positive definite systems by the sparse Cholesky factorization `Eigen::SimplicialLDLT`, which eliminates
+/// the unknowns in the order of their numbers.
 ///
 /// \cgalModels{PositiveDefiniteSolver}
 ///
@@ -66,16 +67,17 @@ public:
 private:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
-  typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower> Factorization;
+  typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int> > Factorization;
 
   std::unique_ptr<Factorization> m_factorization; // Eigen's class cannot be moved
 };
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// is the default solver traits: sparse Cholesky factorizations by \ref thirdpartyEigen "Eigen".
+/// is the default solver traits: sparse Cholesky factorizations by \ref thirdpartyEigen "Eigen" in an approximate minimum
+/// degree order.
 ///
-/// \cgalModels{FrameFieldSolverTraits}
+/// \cgalModels{FrameFieldOrderingSolverTraits}
 struct Eigen_frame_field_solver_traits
 {
   /// the solver of symmetric systems
@@ -92,6 +94,17 @@ struct Eigen_frame_field_solver_traits
 
   /// returns a new solver.
   Complex_solver complex_solver_object() const { return Complex_solver(); }
+
+  /// returns the approximate minimum degree order of the rows of `pattern`, whose values are not used.
+  std::vector<int> elimination_order(const Hermitian_matrix<float>& pattern) const
+  {
+    const Eigen::Map<const Eigen::SparseMatrix<float> > view(
+      pattern.size(), pattern.size(), static_cast<int>(pattern.row.size()), pattern.column_begin.data(),
+      pattern.row.data(), pattern.value.data());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> row_at_place;
+    Eigen::AMDOrdering<int>()(view.selfadjointView<Eigen::Lower>(), row_at_place);
+    return std::vector<int>(row_at_place.indices().data(), row_at_place.indices().data() + row_at_place.size());
+  }
 };
 
 } // namespace Frame_fields

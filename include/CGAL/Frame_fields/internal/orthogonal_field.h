@@ -22,6 +22,7 @@
 
 #include <cmath>
 #include <complex>
+#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -51,14 +52,17 @@ inline double guide_weight(const Cut_surface& surface, const int face)
 class Orthogonal_field_system
 {
 public:
-  Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega)
+  // The unknowns are numbered in the order of the faces in `face_order`.
+  Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
+                          const std::vector<int>& face_order)
     : m_surface(surface), m_patch(patch), m_unknown(patch.faces.size(), -1)
   {
     m_transport.reserve(patch.dual_edges.size());
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
       m_transport.push_back(std::polar(1., 4 * (surface.transport[e] - omega[e])));
-    for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    for(int k = patch.faces.begin_index; k < patch.faces.end_index; ++k)
     {
+      const int f = face_order[k];
       if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
       if(surface.is_aligned(f) || guide_weight(surface, f) > 0)
@@ -118,6 +122,21 @@ public:
     return result;
   }
 
+  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern that a
+  // mesh could share, the same for a face whatever its unknown's number is.
+  std::vector<Complex> start_vector() const
+  {
+    std::mt19937 generator;
+    const auto coordinate = [&generator] { return generator() / 4294967296. - 0.5; };
+    std::vector<Complex> result(m_size);
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+    {
+      const double real = coordinate();
+      result[unknown(f)] = { real, coordinate() };
+    }
+    return result;
+  }
+
 private:
   const Complex& transport(const int e) const { return m_transport[e - m_patch.dual_edges.begin_index]; }
 
@@ -138,15 +157,15 @@ private:
 // norm.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
-                                       const std::vector<double>& omega, const SolverTraits& solver_traits,
-                                       std::vector<double>& alpha)
+                                       const std::vector<double>& omega, const std::vector<int>& face_order,
+                                       const SolverTraits& solver_traits, std::vector<double>& alpha)
 {
-  const Orthogonal_field_system system(surface, patch, omega);
+  const Orthogonal_field_system system(surface, patch, omega, face_order);
   auto solver = solver_traits.complex_solver_object();
   std::vector<Complex> z;
   const bool is_solved = system.is_anchored()
                        ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
-                       : smallest_eigenvector(solver, system.matrix(), z);
+                       : smallest_eigenvector(solver, system.matrix(), system.start_vector(), z);
   if(!is_solved)
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 

@@ -16,10 +16,12 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/assemble.h>
+#include <CGAL/Frame_fields/internal/elimination_order.h>
 #include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -54,20 +56,22 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
 
 // Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
 // sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
-template <typename Solver>
+template <typename SolverTraits>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
-                         Solver solver, std::vector<double>& omega)
+                         const SolverTraits& solver_traits, std::vector<double>& omega)
 {
   const int pinned = patch.sectors.begin_index;
-  const auto unknown = [&](const int halfedge) { return surface.sector[halfedge] - pinned - 1; };
   const int size = patch.sectors.size() - 1;
+  std::vector<int> unknown(size + 1); // per sector of the patch, -1 for the pinned one
+  std::iota(unknown.begin(), unknown.end(), -1);
+  const auto unknown_of = [&](const int halfedge) { return unknown[surface.sector[halfedge] - pinned]; };
 
   const auto emit = [&](const auto& add)
   {
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     {
-      const int i = unknown(surface.dual_edges[e].halfedge);
-      const int j = unknown(surface.dual_edges[e].opposite);
+      const int i = unknown_of(surface.dual_edges[e].halfedge);
+      const int j = unknown_of(surface.dual_edges[e].opposite);
       if(i == j) // omega there enters d omega twice, with both signs
         continue;
       if(i >= 0)
@@ -78,12 +82,19 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
         add(i, j, -1 / surface.weight[e]);
     }
   };
-  const std::vector<double> right_hand_side(demand.begin() + pinned + 1, demand.begin() + patch.sectors.end_index);
+  const std::vector<int> order = elimination_order(size, emit, solver_traits);
+  std::vector<double> right_hand_side(size);
+  for(int k = 0; k < size; ++k)
+  {
+    unknown[order[k] + 1] = k;
+    right_hand_side[k] = demand[pinned + 1 + order[k]];
+  }
+  auto solver = solver_traits.real_solver_object();
   std::vector<double> lambda;
   if(!factor_and_solve(solver, assemble<double>(size, emit), right_hand_side, lambda))
     return false;
 
-  const auto value = [&](const int halfedge) { return unknown(halfedge) < 0 ? 0. : lambda[unknown(halfedge)]; };
+  const auto value = [&](const int halfedge) { return unknown_of(halfedge) < 0 ? 0. : lambda[unknown_of(halfedge)]; };
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     omega[e] = (value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite)) / surface.weight[e];
   return true;
@@ -139,7 +150,7 @@ Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch
   const Patch_result result = set_demand(surface, patch, strategy, bound, demand, is_needed);
   if(result.error_code != OK || !is_needed)
     return result;
-  if(!least_norm_rotation(surface, patch, demand, solver_traits.real_solver_object(), omega))
+  if(!least_norm_rotation(surface, patch, demand, solver_traits, omega))
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
   return {};
 }

@@ -19,7 +19,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -51,20 +50,6 @@ double norm(const std::vector<Scalar>& x)
   return std::sqrt(sum);
 }
 
-// The same unit vector on every platform; its entries have no pattern that a mesh could share.
-inline std::vector<std::complex<double> > start_vector(const int size)
-{
-  std::mt19937 generator;
-  const auto coordinate = [&generator] { return generator() / 4294967296. - 0.5; };
-  std::vector<std::complex<double> > x(size);
-  for(std::complex<double>& x_i : x)
-  {
-    const double real = coordinate();
-    x_i = { real, coordinate() };
-  }
-  return x;
-}
-
 inline void normalize(std::vector<std::complex<double> >& x)
 {
   const double length = norm(x);
@@ -77,7 +62,7 @@ inline void normalize(std::vector<std::complex<double> >& x)
 // steps, when what is left belongs to eigenvalues nearly as small.
 template <typename Solver>
 bool smallest_eigenvector(Solver& solver, Hermitian_matrix<std::complex<double> > matrix,
-                          std::vector<std::complex<double> >& x)
+                          const std::vector<std::complex<double> >& start, std::vector<std::complex<double> >& x)
 {
   const double shift = 1e-9;
   const double relative_residual = 1e-8;
@@ -88,7 +73,7 @@ bool smallest_eigenvector(Solver& solver, Hermitian_matrix<std::complex<double> 
   if(!solver.factor(matrix))
     return false;
 
-  x = start_vector(matrix.size());
+  x = start;
   normalize(x);
   for(int step = 0; step < maximum_number_of_steps; ++step)
   {
