@@ -17,6 +17,9 @@
 
 #include <CGAL/for_each.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -24,18 +27,29 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+inline std::vector<int> patches_by_decreasing_size(const Cut_surface& surface)
+{
+  std::vector<int> numbers(surface.patches.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::stable_sort(numbers.begin(), numbers.end(), [&](const int a, const int b)
+                   { return surface.patches[a].faces.size() > surface.patches[b].faces.size(); });
+  return numbers;
+}
+
 // Calls `stage(patch_number)` for every patch and returns the result of the first patch that fails. Each call must
 // write to its own patch only; the output does not depend on the number of threads.
 template <typename ConcurrencyTag, typename Stage>
 Patch_result for_each_patch(const Cut_surface& surface, const Stage& stage)
 {
-  std::vector<int> numbers(surface.patches.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
+  const std::vector<int> numbers = patches_by_decreasing_size(surface);
   std::vector<Patch_result> results(numbers.size());
-  CGAL::for_each<ConcurrencyTag>(numbers, [&](const int patch) -> bool
+  // Whichever thread is free takes the largest patch that is left, wherever its share of the range begins.
+  std::atomic<std::size_t> next_place(0);
+  CGAL::for_each<ConcurrencyTag>(numbers, [&](int) -> bool
   {
+    const int patch = numbers[next_place++];
     results[patch] = stage(patch);
-    return results[patch].error_code == OK;
+    return true;
   });
   for(const Patch_result& result : results)
     if(result.error_code != OK)
