@@ -176,12 +176,9 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
   if(!result)
     return result;
 
-  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
   std::vector<double> alpha;
   result = internal::to_result(cut_mesh, internal::compute_orthogonal_field<Concurrency_tag>(
-    cut_mesh.surface(), omega,
-    internal::order_faces<Concurrency_tag>(cut_mesh.surface(), internal::FOR_ORTHOGONAL_FIELD, solver_traits),
-    solver_traits, alpha));
+    cut_mesh.surface(), omega, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), alpha));
   if(!result)
     return result;
 

@@ -196,12 +196,11 @@ Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   if(!result)
     return result;
 
-  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
   std::vector<internal::Branch_rotations> gamma;
   int number_of_clamped_faces;
   result = internal::to_result(cut_mesh, internal::relax<Concurrency_tag>(
-    cut_mesh.surface(), alpha, matching,
-    internal::order_faces<Concurrency_tag>(cut_mesh.surface(), internal::FOR_RELAXATION, solver_traits), options, solver_traits, gamma, number_of_clamped_faces));
+    cut_mesh.surface(), alpha, matching, options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), gamma,
+    number_of_clamped_faces));
   if(result)
     internal::write_relaxed_field(cut_mesh, alpha, gamma, alpha_map, rho_map);
   return result;

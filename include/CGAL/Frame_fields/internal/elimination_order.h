@@ -48,16 +48,12 @@ std::vector<int> elimination_order(const int size, const Emit& emit, const Solve
   return result;
 }
 
-// What an order of faces is for: the orthogonal field has no unknowns in aligned faces, the relaxation has one.
-enum Face_order_use { FOR_ORTHOGONAL_FIELD, FOR_RELAXATION };
-
-// Writes the faces of a patch in the order in which the systems on faces number their unknowns. That for the relaxation
-// serves the orthogonal field nearly as well as its own one, but not the other way round.
-template <typename SolverTraits>
-void order_faces_of_patch(const Cut_surface& surface, const Patch& patch, const Face_order_use use,
-                          const SolverTraits& solver_traits, std::vector<int>& face_order)
+// The faces of a patch in the order in which a system with one or more unknowns in each face of which `has_unknown` is
+// true should number them; the other faces come anywhere.
+template <typename HasUnknown, typename SolverTraits>
+std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Patch& patch, const HasUnknown& has_unknown,
+                                            const SolverTraits& solver_traits)
 {
-  const auto has_unknown = [&](const int face) { return use == FOR_RELAXATION || !surface.is_aligned(face); };
   const int first = patch.faces.begin_index;
   const auto emit = [&](const auto& add)
   {
@@ -68,9 +64,10 @@ void order_faces_of_patch(const Cut_surface& surface, const Patch& patch, const 
         add(i - first, j - first, 1.f);
     }
   };
-  const std::vector<int> order = elimination_order(patch.faces.size(), emit, solver_traits);
-  for(int k = 0; k < patch.faces.size(); ++k)
-    face_order[first + k] = first + order[k];
+  std::vector<int> faces = elimination_order(patch.faces.size(), emit, solver_traits);
+  for(int& face : faces)
+    face += first;
+  return faces;
 }
 
 } // namespace internal

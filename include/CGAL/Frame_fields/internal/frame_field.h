@@ -109,9 +109,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return result;
 
   clock.start(ORTHOGONAL_FIELD);
-  const std::vector<int> face_order = order_faces<ConcurrencyTag>(
-    surface, options.relax_orthogonality ? FOR_RELAXATION : FOR_ORTHOGONAL_FIELD, solver_traits);
-  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, face_order, solver_traits, field.alpha);
+  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, solver_traits, field.alpha);
   if(result.error_code != OK)
     return result;
 
@@ -127,7 +125,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return {};
   }
   clock.start(RELAXATION);
-  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, face_order, options, solver_traits, field.gamma,
+  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, solver_traits, field.gamma,
                                field.number_of_clamped_faces);
 }
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
-#include <CGAL/Frame_fields/internal/elimination_order.h>
 #include <CGAL/Frame_fields/internal/for_each_patch.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/meshable_matching.h>
@@ -45,28 +44,14 @@ Patch_result prescribe_rotation(const Cut_surface& surface, const Options& optio
   });
 }
 
-// The faces in the order in which the systems on faces number them.
-template <typename ConcurrencyTag, typename SolverTraits>
-std::vector<int> order_faces(const Cut_surface& surface, const Face_order_use use, const SolverTraits& solver_traits)
-{
-  std::vector<int> face_order(surface.number_of_faces());
-  for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
-  {
-    order_faces_of_patch(surface, surface.patches[patch], use, solver_traits, face_order);
-    return Patch_result();
-  });
-  return face_order;
-}
-
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
-                                      const std::vector<int>& face_order, const SolverTraits& solver_traits,
-                                      std::vector<double>& alpha)
+                                      const SolverTraits& solver_traits, std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
   return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, face_order, solver_traits, alpha);
+    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, solver_traits, alpha);
   });
 }
 
@@ -109,15 +94,14 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
 
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
-                   const std::vector<int>& face_order, const Options& options, const SolverTraits& solver_traits,
-                   std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
+                   const Options& options, const SolverTraits& solver_traits, std::vector<Branch_rotations>& gamma,
+                   int& number_of_clamped_faces)
 {
   gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
   std::vector<int> clamped(surface.patches.size(), 0);
   const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return relax_patch(surface, surface.patches[patch], alpha, matching, face_order, options, solver_traits, gamma,
-                       clamped[patch]);
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options, solver_traits, gamma, clamped[patch]);
   });
   number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
   return result;
