@@ -22,6 +22,7 @@ import tempfile
 import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
+from scipy.spatial.transform import Rotation
 
 HALF_AXES = np.array([3., 2., 1.])
 UMBILIC = np.array([3 * np.sqrt(5 / 8), 0, np.sqrt(3 / 8)])  # the three others are its mirror images
@@ -76,7 +77,7 @@ class Ellipsoid:
 
     def mesh(self, number_of_subdivisions=4):
         points, faces = icosphere(number_of_subdivisions)
-        return points * HALF_AXES, faces
+        return points @ Rotation.from_euler("xyz", [20, 50, 110], degrees=True).as_matrix() * HALF_AXES, faces
 
     def normals(self, points):
         return unit(points / HALF_AXES**2)
@@ -247,7 +248,7 @@ class Vertex_field:
     def smoothest(self):
         matrix, mass = self.laplacian().tocsc(), self.mesh.vertex_area
         if self.mesh.is_border.any():
-            return self.with_border(np.zeros(len(mass)))
+            return self.aligned_to_border()
         solve = linalg.splu(matrix + 1e-8 * sparse.diags(mass).tocsc()).solve
         z = np.random.default_rng(1).standard_normal(len(mass)) + 0j
         for _ in range(200):
@@ -256,16 +257,13 @@ class Vertex_field:
         return z
 
     def aligned_to_curvature(self):
-        guide = self.squared_hopf_differential()
-        if self.mesh.is_border.any():
-            return self.with_border(0.01 * guide / np.abs(guide))
-        return linalg.spsolve(self.laplacian().tocsc(), self.mesh.vertex_area * guide)
+        return linalg.spsolve(self.laplacian().tocsc(), self.mesh.vertex_area * self.squared_hopf_differential())
 
-    def with_border(self, guide):
-        """Aligned with the border, whose first halfedge at each vertex has the angle 0, so z = 1."""
+    def aligned_to_border(self):
+        """The first halfedge of each border vertex has the angle 0, so z = 1 there."""
         inside, border = ~self.mesh.is_border, self.mesh.is_border
         matrix = self.laplacian().tocsr()
-        right_side = (self.mesh.vertex_area * guide)[inside] - matrix[inside][:, border] @ np.ones(border.sum())
+        right_side = -matrix[inside][:, border] @ np.ones(border.sum())
         z = np.ones(len(inside), complex)
         z[inside] = linalg.spsolve(matrix[inside][:, inside].tocsc(), right_side)
         return z
@@ -458,7 +456,7 @@ def rows_of(surface, program, weights):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="the program cad_frame_field")
-    parser.add_argument("--weights", nargs="+", type=float, default=[0, 1, 10], metavar="WEIGHT")
+    parser.add_argument("--weights", nargs="+", type=float, default=[0, 0.01, 0.1, 1], metavar="WEIGHT")
     arguments = parser.parse_args()
     print("| surface | field | singularities | distance from umbilics: mean, largest | angle to principal directions in "
           "degrees: mean, 95 % |\n|---|---|---|---|---|")

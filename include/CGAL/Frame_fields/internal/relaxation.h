@@ -36,11 +36,16 @@ namespace internal {
 // The rotation of each pair of opposite branches, gamma0 and gamma1 of Section 4 of the paper.
 typedef std::array<double, 2> Branch_rotations;
 
-// The number of the branch pair (0 or 1) that `alpha` puts along the direction an aligned face must keep.
+// The number of the branch pair (0 or 1) of an orthogonal frame that is nearest to a direction of its face.
+inline int nearest_branch(const double direction, const double alpha)
+{
+  return static_cast<int>(std::lround((direction - alpha) / (CGAL_PI / 2))) & 1;
+}
+
+// The branch pair that `alpha` puts along the direction an aligned face must keep.
 inline int aligned_branch(const Cut_surface& surface, const int face, const double alpha)
 {
-  const double quarters = (surface.alignment[face] - alpha) / (CGAL_PI / 2);
-  return static_cast<int>(std::lround(quarters)) & 1;
+  return nearest_branch(surface.alignment[face], alpha);
 }
 
 // The branch of face j that branch `b` of face i goes to.
@@ -76,8 +81,10 @@ private:
   double m_factor;
 };
 
-// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
-// a graph whose edges are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
+// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, plus 2 guide_weight times
+// the squared angles between guiding directions and the branch pairs nearest to them: the same balance as in the orthogonal
+// field, where |z_i - z_j ...|^2 is 16 r^2 for small r. Branch b of a face is a node of a graph whose edges are the
+// matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
 class Relaxation_system
 {
 public:
@@ -117,6 +124,11 @@ public:
       if(m_orthogonality.is_positive())
         for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
           add_square_of_difference(unknown(f, 0), unknown(f, 1), m_orthogonality.weight(f));
+      for_each_guided_node([&](const int node, const int face)
+      {
+        if(m_unknown[node] >= 0)
+          add(m_unknown[node], m_unknown[node], 2 * guide_weight(m_surface, face));
+      });
     });
   }
 
@@ -135,6 +147,12 @@ public:
           result[j] -= m_surface.weight[e] * r;
       }
     }
+    for_each_guided_node([&](const int node, const int face)
+    {
+      const double angle = std::remainder(m_surface.guide_angle[face] - m_alpha[face], CGAL_PI / 2);
+      if(m_unknown[node] >= 0)
+        result[m_unknown[node]] += 2 * guide_weight(m_surface, face) * angle;
+    });
     return result;
   }
 
@@ -146,6 +164,17 @@ private:
     return node(face_of(m_surface.dual_edges[e].opposite), matched_branch(b, m_matching[e]));
   }
 
+  // Calls `visit(node, face)` for the branches that soft guiding directions pull at.
+  template <typename Visit>
+  void for_each_guided_node(const Visit& visit) const
+  {
+    if(m_surface.guide_weight.empty())
+      return;
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(guide_weight(m_surface, f) > 0)
+        visit(node(f, nearest_branch(m_surface.guide_angle[f], m_alpha[f])), f);
+  }
+
   std::vector<bool> aligned_nodes() const
   {
     std::vector<bool> is_fixed(2 * static_cast<std::size_t>(m_patch.faces.size()), false);
@@ -155,7 +184,7 @@ private:
     return is_fixed;
   }
 
-  // A connected piece of the graph without fixed node is determined only up to a constant.
+  // A connected piece of the graph without fixed or guided node is determined only up to a constant.
   void fix_one_node_of_each_loose_piece(std::vector<bool>& is_fixed) const
   {
     const int number_of_nodes = static_cast<int>(is_fixed.size());
@@ -173,6 +202,7 @@ private:
     for(int n = 0; n < number_of_nodes; ++n)
       if(is_fixed[n])
         is_piece_fixed[pieces.find_set(n)] = true;
+    for_each_guided_node([&](const int guided, int) { is_piece_fixed[pieces.find_set(guided)] = true; });
     for(int n = 0; n < number_of_nodes; ++n)
       if(!is_piece_fixed[pieces.find_set(n)])
         is_fixed[n] = is_piece_fixed[pieces.find_set(n)] = true;
