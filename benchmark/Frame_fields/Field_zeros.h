@@ -23,10 +23,10 @@
 #include <string>
 #include <vector>
 
-// The orthogonal field before its complex numbers z are brought to unit length. A singularity of the field is a zero of z.
-// In the faces around a singular sector, z is taken along the fan into one face, z_i = z_j exp(4i (c_ij - omega_ij)), and
-// there fitted by the linear function of the plane with the least sum of squares. Around a closed sector the way
-// back does not quite lead to the same value; what is missing is shared by all dual edges of the fan.
+// The orthogonal field before its complex numbers z are brought to unit length. A singularity of the field is a zero
+// of z. In the faces around a singular sector, z is taken along the fan into one face, z_i = z_j exp(4i (c_ij -
+// omega_ij)), and there fitted by the linear function of the plane with the least sum of squares. Around a closed
+// sector the way back does not quite lead to the same value; what is missing is shared by all dual edges of the fan.
 namespace internal = CGAL::Frame_fields::internal;
 
 class Field_zeros

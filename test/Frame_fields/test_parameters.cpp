@@ -128,6 +128,23 @@ TYPED_TEST(Parameters, list_the_sectors_that_the_repair_changed)
     }
 }
 
+// Such a patch has three sectors, and index 1 in all: too few for a quarter each.
+TYPED_TEST(Parameters, include_the_repair_of_two_triangles_back_to_back)
+{
+  for(double x = 0.1; x < 1; x += 0.1)
+    for(double y = 0.05; y < 1; y += 0.1)
+    {
+      Model model;
+      model.points = { Point(0, 0, 0), Point(1, 0, 0), Point(x, y, 0) };
+      model.triangles = { { 0, 1, 2 }, { 0, 2, 1 } };
+      model.features = { segment(model.points[0], model.points[1]) };
+      const Cad_mesh<TypeParam> cad_mesh(model);
+      const Field field = frame_field(cad_mesh, Support_strategy::none());
+      EXPECT_EQ(0, number_of_unmeshable_sectors(cad_mesh.cut(), field.index));
+      EXPECT_EQ(std::vector<int>{ 0 }, poincare_hopf_defects(cad_mesh.cut(), field.index));
+    }
+}
+
 TYPED_TEST(Parameters, include_the_features)
 {
   const TypeParam& mesh = this->cad_mesh.mesh;

@@ -78,9 +78,9 @@ measures a frame field, so that fields can be compared.
 
 \cgalNamedParamsBegin{Output Named Parameters}
   \cgalParamNBegin{rotation_map}
-    \cgalParamDescription{gets the rotations across each edge, in radians: \f$ r^0_{ij} \f$ of the branch pair of branch 0
-                          of the face of a halfedge, towards the face of its opposite, and \f$ r^1_{ij} \f$ of the other
-                          pair (eq. (4) of \cgalCite{cgal:dprcs-ffcm-22})}
+    \cgalParamDescription{gets the rotations across each edge, in radians: \f$ r^0_{ij} \f$ of the branch pair of
+                          branch 0 of the face of a halfedge, towards the face of its opposite, and
+                          \f$ r^1_{ij} \f$ of the other pair (eq. (4) of \cgalCite{cgal:dprcs-ffcm-22})}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::array<double, 2>`
                    as value type}

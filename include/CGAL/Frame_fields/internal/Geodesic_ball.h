@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The integrals of the linear functions that are 1 at one corner of a triangle and 0 at the others, over the part
-// of the triangle in which the linear function with the given values at the corners is at most `bound`. In areas of the triangle.
+// The integrals of the linear functions that are 1 at one corner of a triangle of area 1 and 0 at the others, over the
+// part of the triangle in which the linear function with the given values at the corners is at most `bound`.
 inline std::array<double, 3> hat_integrals_below(const std::array<double, 3>& values, const double bound)
 {
   std::array<int, 3> order = { 0, 1, 2 };
@@ -69,12 +69,14 @@ struct Sector_share
   double area;
 };
 
-// The part of a patch within a geodesic distance of a sharp corner, and the areas that the sectors have in it. Triangles
-// that its rim cuts count by their part inside, so that the shares do not jump when the mesh changes a little.
+// The part of a patch within a geodesic distance of a sharp corner, and the areas that the sectors have in it.
+// Triangles that its rim cuts count by their part inside: shares do not jump when the mesh changes a little.
 class Geodesic_ball
 {
 public:
-  Geodesic_ball(const Cut_surface& surface, Geodesic_distances& distances) : m_surface(surface), m_distances(distances) {}
+  Geodesic_ball(const Cut_surface& surface, Geodesic_distances& distances)
+    : m_surface(surface), m_distances(distances)
+  {}
 
   std::vector<Sector_share> shares_within(const int corner, const double radius)
   {
@@ -82,8 +84,8 @@ public:
     return shares(radius);
   }
 
-  // The same in a ball that is not larger than the largest one that fills most of the wedge that the corner's angle opens.
-  // Beyond it, as in a long strip with a tapered end, the sides of the corner no longer tell how much room it has.
+  // The same in a ball that is not larger than the largest one that fills most of the wedge that the corner's angle
+  // opens. Beyond it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
   std::vector<Sector_share> shares_in_wedge(const int corner, const double largest_radius)
   {
     reach(corner, largest_radius);

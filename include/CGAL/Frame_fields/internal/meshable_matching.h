@@ -66,12 +66,14 @@ public:
     }
   }
 
-  // Moves what a constrained sector has above the largest meshable index to sectors that stay at or below it. Some is left
-  // only if no sector of the patch has room.
+  // Moves what a constrained sector has above the largest meshable index to sectors that stay at or below it, or, in a
+  // patch so small that there is none, to those on no constrained edge.
   void remove_excess(const int sector)
   {
     const auto has_room = [this](const int s) { return m_index[s] < maximum_meshable_index; };
-    while(m_index[sector] > maximum_meshable_index && move_index(sector, OUT, has_room)) {}
+    const auto is_inside = [this](const int s) { return !m_surface.is_constrained_sector(s); };
+    while(m_index[sector] > maximum_meshable_index
+          && (move_index(sector, OUT, has_room) || move_index(sector, OUT, is_inside))) {}
   }
 
   // Brings a sector to its target by moving indices from or to sectors that get nearer to theirs, as far as there are
@@ -262,8 +264,8 @@ inline std::vector<Repaired_sector> repair_patch(const Cut_surface& surface, con
   return changed_sectors(patch, rounded_index, index);
 }
 
-// Gives every sector of the patch its target; the targets must sum to what the patch has. Returns the sectors whose index
-// changed.
+// Gives every sector of the patch its target; the targets must sum to what the patch has. Returns the sectors whose
+// index changed.
 inline std::vector<Repaired_sector> enforce_index_targets(const Cut_surface& surface, const Patch& patch,
                                                           const std::vector<double>& omega,
                                                           const std::vector<double>& alpha,

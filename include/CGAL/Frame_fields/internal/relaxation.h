@@ -82,9 +82,9 @@ private:
 };
 
 // The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, plus 2 guide_weight times
-// the squared angles between guiding directions and the branch pairs nearest to them: the same balance as in the orthogonal
-// field, where |z_i - z_j ...|^2 is 16 r^2 for small r. Branch b of a face is a node of a graph whose edges are the
-// matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
+// the squared angles between guiding directions and the branch pairs nearest to them: the same balance as in the
+// orthogonal field, where |z_i - z_j ...|^2 is 16 r^2 for small r. Branch b of a face is a node of a graph whose edges
+// are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
 class Relaxation_system
 {
 public:

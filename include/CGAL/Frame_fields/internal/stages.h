@@ -66,8 +66,8 @@ Patch_result compute_indices(const Cut_surface& surface, const std::vector<doubl
   });
 }
 
-// The matching nearest to omega, made meshable if the options ask for it. The sectors whose index this changed are added to
-// `repaired_sectors`.
+// The matching nearest to omega, made meshable if the options ask for it. The sectors whose index this changed are
+// added to `repaired_sectors`.
 template <typename ConcurrencyTag>
 Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
                                           const std::vector<double>& alpha, const Options& options,
