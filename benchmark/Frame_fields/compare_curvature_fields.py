@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Copyright (c) 2026 The Frame_fields authors
-"""Compares the fields that cad_frame_field guides by curvature with those of two published methods, on an ellipsoid, a torus
-and a bent pipe, whose principal directions and umbilics are known in closed form.
+"""Compares the fields that cad_frame_field guides by curvature with those of two published methods, on an ellipsoid, a
+torus and a bent pipe, whose principal directions and umbilics are known in closed form.
 
 The two methods are written here from their mathematics; no other program is run:
 - the globally optimal 4-direction field on vertices (Knoeppel, Crane, Pinkall, Schroeder 2013), as the smallest
-  eigenvector of the connection Laplacian, and aligned to curvature by one linear system with lambda = 0, whose right side is
-  the square of the Hopf differential of the dihedral angles;
-- the power field on faces with principal directions as soft constraints (Diamanti, Vaxman, Panozzo, Sorkine-Hornung 2014,
-  with one coefficient), of weight 1 everywhere relative to a smoothness of weight 1, each divided by its total mass. The
-  directions come from quadrics fitted to the five rings of vertices around each vertex.
+  eigenvector of the connection Laplacian, or aligned to the border where there is one, and aligned to curvature by one
+  linear system with lambda = 0, whose right side is the square of the Hopf differential of the dihedral angles;
+- the power field on faces with principal directions as soft constraints (Diamanti, Vaxman, Panozzo, Sorkine-Hornung
+  2014, with one coefficient), of weight 1 everywhere relative to a smoothness of weight 1, each divided by its total
+  mass. The directions come from quadrics fitted to the five rings of vertices around each vertex.
 
 NumPy and SciPy are needed."""
 
@@ -41,7 +41,8 @@ def icosphere(number_of_subdivisions):
     points = np.array([np.roll(p, k) for k in range(3) for p in points])
     distances = np.linalg.norm(points[:, None] - points[None], axis=2)
     near = np.abs(distances - 2) < 1e-9
-    faces = [(i, j, k) for i in range(12) for j in range(i) for k in range(j) if near[i, j] and near[j, k] and near[i, k]]
+    faces = [(i, j, k) for i in range(12) for j in range(i) for k in range(j)
+             if near[i, j] and near[j, k] and near[i, k]]
     points = unit(points)
     faces = np.array([f if np.linalg.det(points[list(f)]) > 0 else f[::-1] for f in faces])
     for _ in range(number_of_subdivisions):
@@ -55,8 +56,8 @@ def icosphere(number_of_subdivisions):
 
 
 def jittered_grid(rows, columns, is_closed):
-    """Parameters in rows along the first one and around the second one, moved at random so that no direction is that of the
-    mesh, and the triangles between them."""
+    """Parameters in rows along the first one and around the second one, moved at random so that no direction is that
+    of the mesh, and the triangles between them."""
     generator = np.random.default_rng(1)
     number_of_rows = rows if is_closed else rows + 1
     u, v = np.meshgrid(np.arange(number_of_rows), np.arange(columns), indexing="ij")
@@ -65,7 +66,8 @@ def jittered_grid(rows, columns, is_closed):
         shifts[0][[0, -1]] = 0
     parameters = np.stack([(u + shifts[0]) / rows, (v + shifts[1]) / columns], axis=2).reshape(-1, 2)
     i, j = (a.ravel() for a in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
-    a, b, c, d = ((i + di) % number_of_rows * columns + (j + dj) % columns for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    a, b, c, d = ((i + di) % number_of_rows * columns + (j + dj) % columns
+                  for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)))
     is_first = generator.random(len(i)) < 0.5
     faces = np.concatenate([np.stack([a, b, np.where(is_first, c, d)], axis=1),
                             np.stack([np.where(is_first, a, b), c, d], axis=1)])
@@ -190,7 +192,7 @@ def field_angles_in_faces(mesh, vectors):
     return np.arctan2((vectors * y).sum(axis=1), (vectors * x).sum(axis=1))
 
 
-# ------------------------------------------------------------------------------------- the globally optimal vertex field
+# ------------------------------------------------------------------------------------ the globally optimal vertex field
 
 class Vertex_field:
     """Directions at a vertex are angles between its edges, scaled so that they sum to 2 pi, or pi on the border."""
@@ -295,7 +297,7 @@ class Vertex_field:
         return result
 
 
-# ------------------------------------------------------------------------------------------------ the power field on faces
+# ---------------------------------------------------------------------------------------------- the power field on faces
 
 def neighbors_in_rings(mesh, number_of_rings):
     n = len(mesh.points)
@@ -354,8 +356,8 @@ class Face_field:
         mesh, n, m = self.mesh, len(self.mesh.faces), len(self.edges)
         edge_mass = (mesh.vectors[self.edges]**2).sum(axis=1) * 3 / (mesh.area[self.left] + mesh.area[self.right])
         rows = np.arange(m)
-        difference = sparse.csr_matrix((np.concatenate([self.transport, -np.ones(m)]),
-                                        (np.concatenate([rows, rows]), np.concatenate([self.left, self.right]))), (m, n))
+        places = np.concatenate([rows, rows]), np.concatenate([self.left, self.right])
+        difference = sparse.csr_matrix((np.concatenate([self.transport, -np.ones(m)]), places), (m, n))
         smoothness = difference.getH() @ sparse.diags(edge_mass / edge_mass.sum()) @ difference
         alignment = weight * mesh.area / mesh.area.sum()
         return linalg.spsolve((smoothness + sparse.diags(alignment)).tocsc(), alignment * np.exp(4j * directions))
@@ -405,8 +407,8 @@ def run_program(program, mesh, weight):
             file.write("OFF\n%d %d 0\n" % (len(mesh.points), len(mesh.faces)))
             np.savetxt(file, mesh.points, "%.17g")
             np.savetxt(file, np.insert(mesh.faces, 0, 3, axis=1), "%d")
-        subprocess.run([program, model, "--feature-angle", "180", "--curvature-weight", str(weight), "--no-baseline", "--quiet",
-                        "--ascii", "-o", output], check=True)
+        subprocess.run([program, model, "--feature-angle", "180", "--curvature-weight", str(weight), "--no-baseline",
+                        "--quiet", "--ascii", "-o", output], check=True)
         ply = read_ascii_ply(output)
     points = np.stack([ply["vertex"][c] for c in "xyz"], axis=1)
     corners = np.stack([ply["face"][k] for k in range(3)], axis=1).astype(int)
@@ -443,7 +445,8 @@ def rows_of(surface, program, weights):
     vertex_field, face_field = Vertex_field(mesh), Face_field(mesh)
     for name, z in (("on vertices, smoothest", vertex_field.smoothest()),
                     ("on vertices, aligned to curvature", vertex_field.aligned_to_curvature())):
-        yield row(surface, name, vertex_field.singularities(z), deviations(surface, mesh.points, vertex_field.vectors(z)))
+        yield row(surface, name, vertex_field.singularities(z),
+                  deviations(surface, mesh.points, vertex_field.vectors(z)))
     z = face_field.softly_aligned(fitted_principal_directions(mesh))
     yield row(surface, "on faces, softly aligned", face_field.singularities(z),
               deviations(surface, mesh.centroids(), face_field.vectors(z)))
@@ -458,8 +461,8 @@ def main():
     parser.add_argument("program", help="the program cad_frame_field")
     parser.add_argument("--weights", nargs="+", type=float, default=[0, 0.01, 0.1, 1], metavar="WEIGHT")
     arguments = parser.parse_args()
-    print("| surface | field | singularities | distance from umbilics: mean, largest | angle to principal directions in "
-          "degrees: mean, 95 % |\n|---|---|---|---|---|")
+    print("| surface | field | singularities | distance from umbilics: mean, largest | angle to principal directions "
+          "in degrees: mean, 95 % |\n|---|---|---|---|---|")
     for surface in (Ellipsoid(), Torus(), Bent_pipe()):
         for line in rows_of(surface, arguments.program, arguments.weights):
             print("| " + " | ".join(line) + " |", flush=True)
