@@ -63,18 +63,28 @@ def position_table(study):
     return table(["strategy", "weights", "mesh"] + ["%d edges" % n for n in resolutions(study)], rows)
 
 
-def spread_table(study):
+def spread_table(study, quantity):
     """Over all kinds of meshes with at least so many edges per side."""
     rows = []
     for settings in all_settings(study):
         row = list(settings)
         for smallest in resolutions(study)[:3]:
             records = [record for (_, n), record in study[settings].items() if n >= smallest]
-            means = [mean(numbers(record, "position")) for record in records]
-            singles = [position for record in records for position in numbers(record, "position")]
+            means = [mean(numbers(record, quantity)) for record in records]
+            singles = [position for record in records for position in numbers(record, quantity)]
             row.append("%.3f (%.3f)" % (max(means) - min(means), max(singles) - min(singles)))
         rows.append(row)
     return table(["strategy", "weights"] + ["from %d edges" % n for n in resolutions(study)[:3]], rows)
+
+
+def range_table(study):
+    def cell(record):
+        positions = numbers(record, "position")
+        return "%.3f to %.3f" % (min(positions), max(positions))
+
+    rows = [[*settings, mesh] + [cell(study[settings][mesh, n]) for n in resolutions(study)]
+            for settings in all_settings(study) for mesh in WEDGES]
+    return table(["strategy", "weights", "mesh"] + ["%d edges" % n for n in resolutions(study)], rows)
 
 
 def wedge_skewness_table(study):
@@ -144,7 +154,10 @@ def write_tables(figures, file_name):
     sections = [
         ("Wedge of 15 degrees: distance of the compensating singularity from the tip, in sides; mean over the seeds, "
          "* if most are on the border", position_table(wedge)),
-        ("Wedge: largest less smallest position, of means over the seeds (of single meshes)", spread_table(wedge)),
+        ("Wedge: smallest and largest distance of single meshes", range_table(wedge)),
+        ("Wedge: largest less smallest distance, of means over the seeds (of single meshes)",
+         spread_table(wedge, "position")),
+        ("Wedge: the same for the vertices that carry the index", spread_table(wedge, "position of the vertex")),
         ("Wedge: maximum / mean skewness in degrees", wedge_skewness_table(wedge)),
         ("Plate: ten meshings; mean / largest difference from the first one, distances in % of the diameter, angles in "
          "degrees", plate_table(plate)),

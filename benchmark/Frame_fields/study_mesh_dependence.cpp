@@ -5,6 +5,7 @@
 // writes a CSV file, to the standard output if there is no FILE: one figure a line. plot_mesh_dependence.py turns it
 // into tables and a plot. See section "Dependence on the Mesh" of the manual.
 
+#include "Field_zeros.h"
 #include "planar_meshes.h"
 
 #include <CGAL/Frame_fields.h>
@@ -193,12 +194,14 @@ struct Compensation
 {
   int four_times_index = 0;        // 1 unless a corner is not a quarter
   double distance_from_tip = 0;    // the mean weighted by the indices; the place itself if there is but one
-  double edge_length = 0;          // the largest mean edge length at the singular vertices, to which places are snapped
+  double distance_of_vertices = 0; // the same for the vertices that carry the indices
+  double edge_length = 0;          // the largest mean edge length at these vertices
   int number_of_interior_singularities = 0;
   bool is_on_border = false;       // some of it
 };
 
-Compensation compensation_in_wedge(const Frame_field& field, const std::vector<Point_2>& corners)
+Compensation compensation_in_wedge(const Frame_field& field, const Field_zeros& zeros,
+                                   const std::vector<Point_2>& corners)
 {
   Compensation result;
   for(const Singularity& s : field.singularities())
@@ -208,13 +211,17 @@ Compensation compensation_in_wedge(const Frame_field& field, const std::vector<P
     if(is_at_any_of(corners, p))
       continue;
     result.four_times_index += s.index;
-    result.distance_from_tip += s.index * distance(p, corners[0]);
+    result.distance_from_tip += s.index * distance(zeros.zero_at(s.halfedge).value_or(p), corners[0]);
+    result.distance_of_vertices += s.index * distance(p, corners[0]);
     result.edge_length = (std::max)(result.edge_length, mean_edge_length(field.mesh(), v));
     result.number_of_interior_singularities += s.is_constrained ? 0 : 1;
     result.is_on_border |= s.is_constrained;
   }
   if(result.four_times_index != 0)
+  {
     result.distance_from_tip /= result.four_times_index;
+    result.distance_of_vertices /= result.four_times_index;
+  }
   return result;
 }
 
@@ -225,12 +232,14 @@ void study_wedge(const Wedge& wedge, const std::string& kind_name, std::ostream&
   for(const Settings& settings : all_settings())
   {
     const Frame_field field(mesh, settings);
-    const Compensation compensation = compensation_in_wedge(field, corners);
+    const Field_zeros zeros(mesh, params::support_strategy(settings.strategy).edge_weighting(settings.weighting));
+    const Compensation compensation = compensation_in_wedge(field, zeros, corners);
     const Frame_fields::Field_quality quality = field.quality();
     const Figures figures(out, "wedge", kind_name, wedge.edges_per_side, wedge.seed, settings);
     figures.write("faces", num_faces(mesh));
     figures.write("compensating index times 4", compensation.four_times_index);
     figures.write("position", compensation.distance_from_tip);
+    figures.write("position of the vertex", compensation.distance_of_vertices);
     figures.write("edge length at the position", compensation.edge_length);
     figures.write("on border", compensation.is_on_border);
     figures.write("interior singularities", compensation.number_of_interior_singularities);

@@ -198,18 +198,24 @@ TYPED_TEST(Guidance, infinite_weight_keeps_a_branch_along_the_direction)
 TYPED_TEST(Guidance, larger_weights_bring_the_field_nearer)
 {
   const Cad_mesh<TypeParam> cad_mesh(transformed(sphere(), on_ellipsoid));
-  double last = 45 * degree;
-  for(const double factor : { 0.01, 1., 100. })
-  {
-    const Field field = frame_field(cad_mesh, parameters::join(
-      parameters::relax_orthogonality(false), this->guided_by(cad_mesh, [factor](const Point& p)
+  for(const FF::Edge_weighting weighting : { FF::UNIFORM_WEIGHTS, FF::PRIMAL_OVER_DUAL_LENGTH })
+    for(const bool is_relaxed : { false, true })
     {
-      return Guide{ principal_direction(p).direction, factor };
-    })));
-    const double deviation = this->mean_deviation(cad_mesh, field, principal_direction);
-    EXPECT_LT(deviation, last);
-    last = deviation;
-  }
+      double last = 45 * degree;
+      for(const double factor : { 0.01, 1., 100., 10000. })
+      {
+        const Field field = frame_field(cad_mesh, parameters::join(
+          parameters::relax_orthogonality(is_relaxed).edge_weighting(weighting),
+          this->guided_by(cad_mesh, [factor](const Point& p)
+        {
+          return Guide{ principal_direction(p).direction, factor };
+        })));
+        const double deviation = this->mean_deviation(cad_mesh, field, principal_direction);
+        EXPECT_LT(deviation, last) << "weight " << factor << (is_relaxed ? ", relaxed" : "");
+        last = deviation;
+      }
+      EXPECT_LT(last, 0.05 * degree);
+    }
 }
 
 TYPED_TEST(Guidance, wrong_guides_are_refused)

@@ -3,8 +3,11 @@
 
 #include <CGAL/Frame_fields.h>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
+#include <set>
+#include <vector>
 
 namespace {
 
@@ -73,6 +76,73 @@ TYPED_TEST(Parameters, include_the_repair_of_the_matching)
   EXPECT_EQ(0, number_of_unmeshable_sectors(cad_mesh.cut(), repaired.index));
   EXPECT_EQ(0u, unrepaired.statistics.number_of_repaired_sectors);
   EXPECT_EQ(1u, repaired.statistics.number_of_repaired_sectors);
+}
+
+// The sectors of the halfedges that an output iterator got, each of which must be another one.
+template <typename Mesh, typename Halfedges>
+std::set<int> sectors_of(const Cad_mesh<Mesh>& cad_mesh, const Cut& cut, const Halfedges& halfedges)
+{
+  std::set<int> sectors;
+  int number = 0;
+  for_each_halfedge(cad_mesh.mesh, [&](const auto h)
+  {
+    if(std::count(halfedges.begin(), halfedges.end(), h) > 0)
+      sectors.insert(cut.sector[number]);
+    ++number;
+  });
+  EXPECT_EQ(halfedges.size(), sectors.size());
+  return sectors;
+}
+
+TYPED_TEST(Parameters, list_the_sectors_that_the_repair_changed)
+{
+  typedef std::vector<typename boost::graph_traits<TypeParam>::halfedge_descriptor> Halfedges;
+  for(const Model& model : { wedge(30), star({ 12, 44, 27 }) })
+    for(const Support_strategy& strategy : { Support_strategy::none(), Support_strategy::rings(4) })
+    {
+      const Cad_mesh<TypeParam> cad_mesh(model);
+      const Cut cut = cad_mesh.cut();
+      Halfedges unmeshable_before, unmeshable, changed, unchanged;
+      const auto np = parameters::support_strategy(strategy);
+      const std::vector<int> before = index_of_sectors(cut, frame_field(
+        cad_mesh, np.repair_matching(false)
+                    .repaired_sector_output_iterator(std::back_inserter(unchanged))
+                    .unmeshable_sector_output_iterator(std::back_inserter(unmeshable_before))).index);
+      const std::vector<int> after = index_of_sectors(cut, frame_field(
+        cad_mesh, np.repaired_sector_output_iterator(std::back_inserter(changed))
+                    .unmeshable_sector_output_iterator(std::back_inserter(unmeshable))).index);
+
+      std::set<int> expected_unmeshable, expected_changed;
+      for(int s = 0; s < cut.number_of_sectors(); ++s)
+      {
+        if(cut.is_constrained_sector[s] && before[s] >= 2)
+          expected_unmeshable.insert(s);
+        if(before[s] != after[s])
+          expected_changed.insert(s);
+      }
+      EXPECT_EQ(strategy.kind() != Support_strategy::NONE, expected_unmeshable.empty());
+      EXPECT_EQ(expected_unmeshable, sectors_of(cad_mesh, cut, unmeshable_before));
+      EXPECT_EQ(expected_changed, sectors_of(cad_mesh, cut, changed));
+      EXPECT_TRUE(unmeshable.empty());
+      EXPECT_TRUE(unchanged.empty());
+    }
+}
+
+// Such a patch has three sectors, and index 1 in all: too few for a quarter each.
+TYPED_TEST(Parameters, include_the_repair_of_two_triangles_back_to_back)
+{
+  for(double x = 0.1; x < 1; x += 0.1)
+    for(double y = 0.05; y < 1; y += 0.1)
+    {
+      Model model;
+      model.points = { Point(0, 0, 0), Point(1, 0, 0), Point(x, y, 0) };
+      model.triangles = { { 0, 1, 2 }, { 0, 2, 1 } };
+      model.features = { segment(model.points[0], model.points[1]) };
+      const Cad_mesh<TypeParam> cad_mesh(model);
+      const Field field = frame_field(cad_mesh, Support_strategy::none());
+      EXPECT_EQ(0, number_of_unmeshable_sectors(cad_mesh.cut(), field.index));
+      EXPECT_EQ(std::vector<int>{ 0 }, poincare_hopf_defects(cad_mesh.cut(), field.index));
+    }
 }
 
 TYPED_TEST(Parameters, include_the_features)

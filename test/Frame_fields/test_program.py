@@ -583,7 +583,7 @@ class Report(ProgramTest):
                 ("faces vertices patches feature_edges split_faces faces_after_split sharp_corners unmeshable_before "
                  "unmeshable_after clamped_faces", int),
                 ("energy_orthogonal energy_relaxed peak_memory_mib", float),
-                ("unmeshable_sectors warnings", list), ("index_histogram seconds", dict)):
+                ("unmeshable_sectors changed_sectors warnings", list), ("index_histogram seconds", dict)):
             for key in keys.split():
                 self.assertIs(type(report[key]), kind, key)
         self.assertEqual(list(report["seconds"]), ["cut_surface", "prescribed_rotation", "orthogonal",
@@ -635,6 +635,19 @@ class Report(ProgramTest):
         report = flange_field().report
         self.assertEqual((report["unmeshable_after"], report["unmeshable_sectors"]), (0, []))
         self.assertEqual(report["unmeshable_before"], len(flange_cut().constrained_sectors_under(45)))
+
+    def test_changed_sectors_are_those_that_the_repair_changed(self):
+        def key(sector):
+            return sector["vertex"], round(sector["angle"], 9)
+
+        before = flange_field("--support", "none", "--no-repair").report
+        after = flange_field("--support", "none").report
+        changed = {key(sector): sector["index"] for sector in after["changed_sectors"]}
+        self.assertEqual(before["changed_sectors"], [])
+        self.assertEqual(len(changed), len(after["changed_sectors"]))
+        self.assertEqual(after["repaired_sectors"], before["unmeshable_after"])
+        for sector in before["unmeshable_sectors"]:
+            self.assertEqual(changed[key(sector)], 1)
 
     def test_no_baseline(self):
         with_baseline, without = self.report(self.write_cube()), self.report("cube.off", "--no-baseline")

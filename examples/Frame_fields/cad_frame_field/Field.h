@@ -35,7 +35,7 @@ struct Field
   Mesh::Property_map<Halfedge, int> matching;
   Mesh::Property_map<Halfedge, double> prescribed_rotation;
   Mesh::Property_map<Halfedge, int> index;
-  std::vector<Halfedge> sharp_corners;
+  std::vector<Halfedge> sharp_corners, repaired_sectors;
   CGAL::Frame_fields::Statistics statistics;
   CGAL::Frame_fields::Field_quality quality;
 };
@@ -87,6 +87,7 @@ inline Field compute_field(Model& model, const Feature_map is_feature, const Opt
                     .matching_map(field.matching)
                     .prescribed_rotation_map(field.prescribed_rotation)
                     .sharp_corner_output_iterator(std::back_inserter(field.sharp_corners))
+                    .repaired_sector_output_iterator(std::back_inserter(field.repaired_sectors))
                     .statistics(std::ref(field.statistics))
                     .concurrency_tag(CGAL::Parallel_if_available_tag())
                     .visitor(Stage_visitor(console));

@@ -125,7 +125,7 @@ inline void print_help(std::ostream& out)
          "  face      alpha, rho in radians; unit vectors u, v (branches 0 and 1) as ux uy uz vx vy vz\n"
          "  edge      feature: 1 for features and borders\n"
          "  halfedge  matching; prescribed_rotation in radians; index: 4 times that of the sector at the target\n"
-         "In the JSON report, the angles of unmeshable_sectors are in degrees and indices are multiplied by 4.\n\n"
+         "In the JSON report, the angles of sectors are in degrees and indices are multiplied by 4.\n\n"
          "Exit codes: 0 done, 1 bad usage, 2 a file cannot be read or written or is invalid, 3 no field was found.\n";
 }
 

@@ -17,8 +17,8 @@
 // The number of sectors for each 4 I.
 typedef std::map<int, std::size_t> Index_histogram;
 
-// A sector on feature edges that no quadrangle mesh can follow, as its index is 1/2 or more.
-struct Unmeshable_sector
+// A sector as the report lists it.
+struct Reported_sector
 {
   Vertex vertex;
   double angle; // degrees
@@ -32,7 +32,8 @@ struct Summary
   std::size_t split_faces = 0, faces_after_split = 0;
   Index_histogram interior_indices, constrained_indices;
   std::optional<std::size_t> unmeshable_before; // nothing without the baseline
-  std::vector<Unmeshable_sector> unmeshable_sectors;
+  std::vector<Reported_sector> unmeshable_sectors; // on feature edges with index 1/2 or more: none can be meshed
+  std::vector<Reported_sector> changed_sectors;    // whose index the repair changed
   CGAL::Frame_fields::Statistics statistics;
   CGAL::Frame_fields::Field_quality quality; // with --verbose
   double seconds_reading = 0, seconds_baseline = 0, seconds_writing = 0;
@@ -40,14 +41,20 @@ struct Summary
 };
 
 template <typename IndexMap>
-std::vector<Unmeshable_sector> find_unmeshable_sectors(const Mesh& mesh, const Feature_map is_feature,
-                                                       const std::vector<Sector>& sectors, const IndexMap index)
+Reported_sector reported_sector(const Mesh& mesh, const Feature_map is_feature, const Halfedge sector,
+                                const IndexMap index)
 {
-  std::vector<Unmeshable_sector> result;
+  return { mesh.target(sector), angle_in_degrees(mesh, is_feature, sector), get(index, sector) };
+}
+
+template <typename IndexMap>
+std::vector<Reported_sector> find_unmeshable_sectors(const Mesh& mesh, const Feature_map is_feature,
+                                                     const std::vector<Sector>& sectors, const IndexMap index)
+{
+  std::vector<Reported_sector> result;
   for(const Sector& sector : sectors)
     if(sector.is_constrained && get(index, sector.halfedge) >= 2)
-      result.push_back({ mesh.target(sector.halfedge), angle_in_degrees(mesh, is_feature, sector),
-                         get(index, sector.halfedge) });
+      result.push_back(reported_sector(mesh, is_feature, sector.halfedge, index));
   return result;
 }
 
@@ -62,6 +69,8 @@ inline void summarize_field(const Mesh& mesh, const Feature_map is_feature, cons
   for(const Sector& sector : sectors)
     ++(sector.is_constrained ? summary.constrained_indices : summary.interior_indices)[field.index[sector.halfedge]];
   summary.unmeshable_sectors = find_unmeshable_sectors(mesh, is_feature, sectors, field.index);
+  for(const Halfedge h : field.repaired_sectors)
+    summary.changed_sectors.push_back(reported_sector(mesh, is_feature, h, field.index));
   summary.statistics = field.statistics;
   summary.quality = field.quality;
 }

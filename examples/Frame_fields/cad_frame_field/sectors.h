@@ -33,10 +33,11 @@ inline std::vector<Sector> sectors(const Mesh& mesh, const Feature_map is_featur
   return result;
 }
 
-inline double angle_in_degrees(const Mesh& mesh, const Feature_map is_feature, const Sector& sector)
+// The angle of the sector of a halfedge, in degrees.
+inline double angle_in_degrees(const Mesh& mesh, const Feature_map is_feature, const Halfedge sector)
 {
   double angle = 0;
-  Halfedge h = sector.halfedge;
+  Halfedge h = sector;
   do
   {
     angle += CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
@@ -44,7 +45,7 @@ inline double angle_in_degrees(const Mesh& mesh, const Feature_map is_feature, c
     if(is_feature[mesh.edge(h)])
       return angle;
     h = mesh.prev(mesh.opposite(h));
-  } while(h != sector.halfedge);
+  } while(h != sector);
   return angle;
 }
 

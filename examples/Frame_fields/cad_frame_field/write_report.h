@@ -44,10 +44,10 @@ inline Json json_of(const CGAL::Frame_fields::Stage_seconds& seconds)
            { "total", seconds.total } };
 }
 
-inline Json json_of(const std::vector<Unmeshable_sector>& sectors)
+inline Json json_of(const std::vector<Reported_sector>& sectors)
 {
   Json json = Json::array();
-  for(const Unmeshable_sector& sector : sectors)
+  for(const Reported_sector& sector : sectors)
     json.push_back({ { "vertex", sector.vertex.idx() }, { "angle", sector.angle }, { "index", sector.index } });
   return json;
 }
@@ -91,6 +91,7 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "seconds_baseline", summary.seconds_baseline },
     { "seconds_writing", summary.seconds_writing },
     { "unmeshable_sectors", json_of(summary.unmeshable_sectors) },
+    { "changed_sectors", json_of(summary.changed_sectors) },
     { "peak_memory_mib", peak_memory_mib() },
     { "warnings", summary.warnings } };
   // File names may hold any bytes, but JSON must be UTF-8.

@@ -55,9 +55,11 @@ public:
   /// takes the rotation of all sharp corners of the patch in equal parts from all its other sectors.
   static Support_strategy component() { return Support_strategy(COMPONENT); }
 
-  /// takes the rotation from the sectors within the geodesic distance `radius` of the corner in its patch that are not
-  /// sharp corners, in parts proportional to their areas; if there is none among them, from the nearest one. What comes
-  /// out depends little on the mesh, in particular with the weights `PRIMAL_OVER_DUAL_LENGTH`.
+  /// takes the rotation from what lies within the geodesic distance `radius` of the corner in its patch, evenly over
+  /// its area: each sector that is not a sharp corner gives in proportion to the integral of its hat function, which
+  /// is 1 at the sector and 0 at all others, over the part within the distance. If there is no such sector, the
+  /// nearest one gives all. What comes out depends little on the mesh, in particular with the weights
+  /// `PRIMAL_OVER_DUAL_LENGTH`.
   ///
   /// \param radius a length of the mesh; by default, half the length of the shorter one of the two constrained curves
   ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but not

@@ -132,7 +132,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
                           weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
-                          \f$ \sqrt 3 \f$, so that the sum is an integral.}
+                          \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, twice it is the
+                          factor of the squared angle to the nearest branch pair.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
     \cgalParamDefault{1 for all faces, if there is guidance}
@@ -195,6 +196,24 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
     \cgalParamDefault{they are not listed}
   \cgalParamNEnd
+  \cgalParamNBegin{repaired_sector_output_iterator}
+    \cgalParamDescription{gets one halfedge, with a corner at its target, of each sector whose index is not the one that
+                          rounding gave it: those that `repair_matching` brought to an index that can be meshed, or to
+                          the one of their angle, and those where the index went; with `index_target_map` also those
+                          that were brought to their targets}
+    \cgalParamType{a class model of `OutputIterator` that accepts
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
+    \cgalParamDefault{they are not listed}
+  \cgalParamNEnd
+  \cgalParamNBegin{unmeshable_sector_output_iterator}
+    \cgalParamDescription{gets one halfedge, with a corner at its target, of each sector on constrained edges with an
+                          index of \f$ 1/2 \f$ or more}
+    \cgalParamType{a class model of `OutputIterator` that accepts
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
+    \cgalParamDefault{they are not listed}
+    \cgalParamExtra{With `repair_matching` there are none in a patch of at least four sectors, unless
+                    `index_target_map` asks for them.}
+  \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the energies and the seconds of each stage}
     \cgalParamType{`std::reference_wrapper<Statistics>`, that is `std::ref(s)` for an object `s` of type `Statistics`}
@@ -246,13 +265,19 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
   clock.stop();
 
   // What may allocate comes first, so that the maps are written together or not at all.
-  internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound,
-                                get_parameter(np, internal::sharp_corner_output_iterator));
+  const internal::Cut_surface& surface = cut_mesh.surface();
+  internal::write_sectors(
+    cut_mesh, [&]() { return internal::sharp_corners_of_surface(surface, options.sharp_corner_bound); },
+    get_parameter(np, internal::sharp_corner_output_iterator));
+  internal::write_sectors(cut_mesh, [&]() { return internal::repaired_sectors_of(field); },
+                          get_parameter(np, internal::repaired_sector_output_iterator));
+  internal::write_sectors(cut_mesh, [&]() { return internal::unmeshable_sectors_of(surface, field); },
+                          get_parameter(np, internal::unmeshable_sector_output_iterator));
   internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, rho_map);
   internal::write_on_sectors(cut_mesh, field.index, index_map);
   internal::write_on_dual_edges(cut_mesh, field.matching, get_parameter(np, internal::matching));
   internal::write_on_dual_edges(cut_mesh, field.omega, get_parameter(np, internal::prescribed_rotation));
-  internal::write_statistics(cut_mesh.surface(), options, field, clock, get_parameter(np, internal::statistics));
+  internal::write_statistics(surface, options, field, clock, get_parameter(np, internal::statistics));
   return {};
 }
 

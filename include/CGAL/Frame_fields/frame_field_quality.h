@@ -21,6 +21,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <array>
 #include <vector>
 
 /// \file frame_field_quality.h
@@ -75,6 +76,20 @@ measures a frame field, so that fields can be compared.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{rotation_map}
+    \cgalParamDescription{gets the rotations across each edge, in radians: \f$ r^0_{ij} \f$ of the branch pair of
+                          branch 0 of the face of a halfedge, towards the face of its opposite, and
+                          \f$ r^1_{ij} \f$ of the other pair (eq. (4) of \cgalCite{cgal:dprcs-ffcm-22})}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::array<double, 2>`
+                   as value type}
+    \cgalParamDefault{it is not written}
+    \cgalParamExtra{The opposite halfedge gets the opposite numbers, in exchanged order where \f$ p_{ij} \f$ is odd. Both
+                    are equal in an orthogonal field, and 0 on constrained edges. Written on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
         `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (an angle that is not finite, a
         matching that is not opposite on opposite halfedges)
@@ -99,9 +114,14 @@ Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rh
     result = internal::read_from_faces(cut_mesh, "rho", rho_map, rho);
   if(result)
     result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
-  if(result)
-    quality = internal::measure_quality(cut_mesh.surface(), alpha, rho, matching);
-  return result;
+  if(!result)
+    return result;
+  const std::vector<std::array<double, 2> > rotations =
+    internal::rotations_of_branches(cut_mesh.surface(), alpha, rho, matching);
+  quality = internal::measure_quality(cut_mesh.surface(), alpha, rho, rotations);
+  internal::write_rotations(cut_mesh, matching, rotations,
+                            CGAL::parameters::get_parameter(np, internal::halfedge_rotation));
+  return {};
 }
 
 } // namespace Frame_fields

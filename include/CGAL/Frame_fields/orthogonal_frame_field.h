@@ -185,9 +185,9 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
   if(!CGAL::parameters::is_default_parameter<CGAL_NP_CLASS, internal::matching_t>::value)
   {
     std::vector<int> matching, index;
-    int number_of_repaired_sectors;
+    std::vector<internal::Repaired_sector> repaired_sectors;
     result = internal::to_result(cut_mesh, internal::compute_matching_and_indices<Concurrency_tag>(
-      cut_mesh.surface(), omega, alpha, options, matching, index, number_of_repaired_sectors));
+      cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
     if(!result)
       return result;
     internal::write_on_dual_edges(cut_mesh, matching, CGAL::parameters::get_parameter(np, internal::matching));

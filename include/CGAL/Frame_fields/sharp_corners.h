@@ -86,7 +86,10 @@ Result sharp_corners(const TriangleMesh& tm, OutputIterator out,
   result = cut_mesh.build(options, true);
   if(!result)
     return result;
-  internal::write_sharp_corners(cut_mesh, options.sharp_corner_bound, out);
+  internal::write_sectors(cut_mesh, [&]()
+  {
+    return internal::sharp_corners_of_surface(cut_mesh.surface(), options.sharp_corner_bound);
+  }, out);
   return {};
 }
 

@@ -73,6 +73,9 @@ public:
     }
   }
 
+  // The distance of a sector from the last source: that of a sector visited, and at least it for the others.
+  double distance_of(const int sector) const { return m_distance[sector - m_patch.sectors.begin_index]; }
+
 private:
   typedef std::pair<double, int> Entry; // distance, sector
   typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > Queue;

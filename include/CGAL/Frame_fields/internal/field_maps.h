@@ -94,12 +94,16 @@ void write_on_sectors(const CutMesh& cut_mesh, const std::vector<Value>& values,
   cut_mesh.for_each_halfedge([&](const auto h, const int i) { put(map, h, i < 0 ? Value(0) : values[sector[i]]); });
 }
 
-template <typename CutMesh, typename OutputIterator>
-void write_sectors(const CutMesh& cut_mesh, const std::vector<int>& sectors, OutputIterator out)
+// Writes one halfedge of each sector of a list, which is asked for only if there is an iterator.
+template <typename CutMesh, typename ListSectors, typename OutputIterator>
+void write_sectors(const CutMesh& cut_mesh, const ListSectors& list_sectors, OutputIterator out)
 {
-  for(const int s : sectors)
+  for(const int s : list_sectors())
     *out++ = cut_mesh.halfedge_of(cut_mesh.surface().first_corner[s]);
 }
+
+template <typename CutMesh, typename ListSectors>
+void write_sectors(const CutMesh&, const ListSectors&, const CGAL::internal_np::Param_not_found) {}
 
 template <typename CutMesh, typename FaceMap>
 Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
@@ -168,9 +172,9 @@ Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& 
   if(!result)
     return result;
   std::vector<int> index;
-  int number_of_repaired_sectors;
+  std::vector<Repaired_sector> repaired_sectors;
   return to_result(cut_mesh, compute_matching_and_indices<ConcurrencyTag>(
-    cut_mesh.surface(), omega, alpha, options, matching, index, number_of_repaired_sectors));
+    cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
 }
 
 template <typename CutMesh, typename FaceMap>

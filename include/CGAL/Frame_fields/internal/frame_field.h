@@ -25,6 +25,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -95,7 +96,7 @@ struct Frame_field
   std::vector<int> matching;            // per dual edge
   std::vector<int> index;               // per sector
   std::vector<Branch_rotations> gamma;  // per face
-  int number_of_repaired_sectors = 0;
+  std::vector<Repaired_sector> repaired_sectors;
   int number_of_clamped_faces = 0;
 };
 
@@ -115,7 +116,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
 
   clock.start(MATCHING_AND_INDICES);
   result = compute_matching_and_indices<ConcurrencyTag>(surface, field.omega, field.alpha, options, field.matching,
-                                                        field.index, field.number_of_repaired_sectors);
+                                                        field.index, field.repaired_sectors);
   if(result.error_code != OK)
     return result;
 
@@ -140,10 +141,28 @@ inline std::vector<int> sharp_corners_of_surface(const Cut_surface& surface, con
   return result;
 }
 
-template <typename CutMesh, typename OutputIterator>
-void write_sharp_corners(const CutMesh& cut_mesh, const double bound, const OutputIterator out)
+inline std::vector<int> repaired_sectors_of(const Frame_field& field)
 {
-  write_sectors(cut_mesh, sharp_corners_of_surface(cut_mesh.surface(), bound), out);
+  std::vector<int> result;
+  for(const Repaired_sector& repaired : field.repaired_sectors)
+    result.push_back(repaired.sector);
+  return result;
+}
+
+inline std::vector<int> unmeshable_sectors_of(const Cut_surface& surface, const Frame_field& field)
+{
+  std::vector<int> result;
+  for(int s = 0; s < surface.number_of_sectors(); ++s)
+    if(is_unmeshable(surface, field.index, s))
+      result.push_back(s);
+  return result;
+}
+
+// Whether the repair made an unmeshable sector meshable; it also changes others, to where the indices went.
+inline bool was_unmeshable(const Cut_surface& surface, const Frame_field& field, const Repaired_sector& repaired)
+{
+  return repaired.rounded_index > maximum_meshable_index && surface.is_constrained_sector(repaired.sector)
+      && !is_unmeshable(surface, field.index, repaired.sector);
 }
 
 template <typename StageClock>
@@ -151,20 +170,20 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
                       const StageClock& clock, Statistics& statistics)
 {
   statistics.number_of_patches = surface.patches.size();
-  statistics.number_of_unmeshable_sectors = 0;
+  statistics.number_of_unmeshable_sectors = unmeshable_sectors_of(surface, field).size();
   statistics.number_of_sharp_corners = 0;
   statistics.number_of_unnatural_corners = 0;
   for(int sector = 0; sector < surface.number_of_sectors(); ++sector)
   {
-    if(is_unmeshable(surface, field.index, sector))
-      ++statistics.number_of_unmeshable_sectors;
     if(!is_sharp_corner(surface, sector, options.sharp_corner_bound))
       continue;
     ++statistics.number_of_sharp_corners;
     if(field.index[sector] != natural_index(surface, sector))
       ++statistics.number_of_unnatural_corners;
   }
-  statistics.number_of_repaired_sectors = field.number_of_repaired_sectors;
+  statistics.number_of_repaired_sectors = std::count_if(
+    field.repaired_sectors.begin(), field.repaired_sectors.end(),
+    [&](const Repaired_sector& repaired) { return was_unmeshable(surface, field, repaired); });
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
   statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
   statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);
@@ -172,9 +191,6 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
 }
 
 // What the caller did not ask for is not computed.
-template <typename CutMesh>
-void write_sharp_corners(const CutMesh&, double, const CGAL::internal_np::Param_not_found) {}
-
 template <typename StageClock>
 void write_statistics(const Cut_surface&, const Options&, const Frame_field&, const StageClock&,
                       const CGAL::internal_np::Param_not_found) {}

@@ -66,15 +66,14 @@ public:
     }
   }
 
-  // Moves what a constrained sector has above the largest meshable index to sectors that stay at or below it. Returns
-  // whether the sector is meshable in the end; it fails only if no sector of the patch has room.
-  bool remove_excess(const int sector)
+  // Moves what a constrained sector has above the largest meshable index to sectors that stay at or below it, or, in a
+  // patch so small that there is none, to those on no constrained edge.
+  void remove_excess(const int sector)
   {
     const auto has_room = [this](const int s) { return m_index[s] < maximum_meshable_index; };
-    while(m_index[sector] > maximum_meshable_index)
-      if(!move_index(sector, OUT, has_room))
-        return false;
-    return true;
+    const auto is_inside = [this](const int s) { return !m_surface.is_constrained_sector(s); };
+    while(m_index[sector] > maximum_meshable_index
+          && (move_index(sector, OUT, has_room) || move_index(sector, OUT, is_inside))) {}
   }
 
   // Brings a sector to its target by moving indices from or to sectors that get nearer to theirs, as far as there are
@@ -213,11 +212,37 @@ private:
   std::vector<int> m_dual_edge_of; // per halfedge of the patch
 };
 
-// Makes the matching of the patch meshable and its sharp corners natural, and keeps its indices up to date. Returns how
-// many sectors changed from unmeshable to meshable.
-inline int repair_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
-                        const std::vector<double>& alpha, const double sharp_corner_bound,
-                        std::vector<int>& matching, std::vector<int>& index)
+// A sector whose index was changed, and 4 I as the rounding left it.
+struct Repaired_sector
+{
+  int sector, rounded_index;
+};
+
+// The sectors of a patch whose index is not the rounded one any more.
+inline std::vector<Repaired_sector> changed_sectors(const Patch& patch, const std::vector<int>& rounded_index_in_patch,
+                                                    const std::vector<int>& index)
+{
+  std::vector<Repaired_sector> result;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
+    const int rounded_index = rounded_index_in_patch[s - patch.sectors.begin_index];
+    if(rounded_index != index[s])
+      result.push_back({ s, rounded_index });
+  }
+  return result;
+}
+
+inline std::vector<int> index_in_patch(const Patch& patch, const std::vector<int>& index)
+{
+  return std::vector<int>(index.begin() + patch.sectors.begin_index, index.begin() + patch.sectors.end_index);
+}
+
+// Makes the matching of the patch meshable and its sharp corners natural, and keeps its indices up to date. Returns the
+// sectors whose index changed.
+inline std::vector<Repaired_sector> repair_patch(const Cut_surface& surface, const Patch& patch,
+                                                 const std::vector<double>& omega, const std::vector<double>& alpha,
+                                                 const double sharp_corner_bound, std::vector<int>& matching,
+                                                 std::vector<int>& index)
 {
   std::vector<int> unmeshable, unnatural;
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
@@ -228,24 +253,29 @@ inline int repair_patch(const Cut_surface& surface, const Patch& patch, const st
       unnatural.push_back(s);
   }
   if(unmeshable.empty() && unnatural.empty())
-    return 0;
+    return {};
 
+  const std::vector<int> rounded_index = index_in_patch(patch, index);
   Meshable_matching meshable_matching(surface, patch, omega, alpha, matching, index);
-  const auto number_of_repaired_sectors = std::count_if(
-    unmeshable.begin(), unmeshable.end(), [&](const int s) { return meshable_matching.remove_excess(s); });
+  for(const int s : unmeshable)
+    meshable_matching.remove_excess(s);
   for(const int s : unnatural)
     meshable_matching.approach_target(s);
-  return static_cast<int>(number_of_repaired_sectors);
+  return changed_sectors(patch, rounded_index, index);
 }
 
-// Gives every sector of the patch its target; the targets must sum to what the patch has.
-inline void enforce_index_targets(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
-                                  const std::vector<double>& alpha, std::vector<int>& matching,
-                                  std::vector<int>& index)
+// Gives every sector of the patch its target; the targets must sum to what the patch has. Returns the sectors whose
+// index changed.
+inline std::vector<Repaired_sector> enforce_index_targets(const Cut_surface& surface, const Patch& patch,
+                                                          const std::vector<double>& omega,
+                                                          const std::vector<double>& alpha,
+                                                          std::vector<int>& matching, std::vector<int>& index)
 {
+  const std::vector<int> rounded_index = index_in_patch(patch, index);
   Meshable_matching meshable_matching(surface, patch, omega, alpha, matching, index);
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
     meshable_matching.approach_target(s);
+  return changed_sectors(patch, rounded_index, index);
 }
 
 } // namespace internal

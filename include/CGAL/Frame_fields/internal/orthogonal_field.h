@@ -38,16 +38,6 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
-// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the faces
-// is an integral, as it is for the relaxation.
-inline double guide_weight(const Cut_surface& surface, const int face)
-{
-  if(surface.guide_weight.empty())
-    return 0;
-  const double factor = surface.edge_weighting == UNIFORM_WEIGHTS ? 1 : area(surface, face) / std::sqrt(3.);
-  return factor * surface.guide_weight[face];
-}
-
 // The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the faces of one patch that are not aligned
 // (eq. (8) of the paper), plus the squared differences from guiding directions.
 class Orthogonal_field_system

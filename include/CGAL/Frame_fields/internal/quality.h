@@ -17,10 +17,13 @@
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/relaxation.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -44,15 +47,28 @@ inline double branch_rotation(const Cut_surface& surface, const std::vector<doub
   return rotation(surface, alpha, matching, dual_edge) - skewness_i + skewness_j;
 }
 
+// r0 and r1 of all dual edges.
+inline std::vector<std::array<double, 2> > rotations_of_branches(const Cut_surface& surface,
+                                                                 const std::vector<double>& alpha,
+                                                                 const std::vector<double>& rho,
+                                                                 const std::vector<int>& matching)
+{
+  std::vector<std::array<double, 2> > result;
+  result.reserve(surface.number_of_dual_edges());
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+    result.push_back({ branch_rotation(surface, alpha, rho, matching, e, 0),
+                       branch_rotation(surface, alpha, rho, matching, e, 1) });
+  return result;
+}
+
 // The difference that a pair of matched branches has along the edge they meet at: cos of their angles to it.
 inline double curl_of_branch(const Cut_surface& surface, const std::vector<double>& alpha,
-                             const std::vector<double>& rho, const std::vector<int>& matching, const int dual_edge,
-                             const int b)
+                             const std::vector<double>& rho, const int dual_edge, const int b, const double rotation)
 {
   const Dual_edge& e = surface.dual_edges[dual_edge];
   const double angle_i =
     branch_angle(alpha, rho, face_of(e.halfedge), b) - halfedge_angle(surface, e.halfedge);
-  return std::cos(angle_i) - std::cos(angle_i + branch_rotation(surface, alpha, rho, matching, dual_edge, b));
+  return std::cos(angle_i) - std::cos(angle_i + rotation);
 }
 
 inline double misalignment(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<double>& rho,
@@ -66,7 +82,8 @@ inline double misalignment(const Cut_surface& surface, const std::vector<double>
 }
 
 inline Field_quality measure_quality(const Cut_surface& surface, const std::vector<double>& alpha,
-                                           const std::vector<double>& rho, const std::vector<int>& matching)
+                                     const std::vector<double>& rho,
+                                     const std::vector<std::array<double, 2> >& rotations)
 {
   Field_quality quality;
   double sum_of_rotations = 0, sum_of_squared_curls = 0, sum_of_squared_lengths = 0;
@@ -75,8 +92,8 @@ inline Field_quality measure_quality(const Cut_surface& surface, const std::vect
     const double length = surface.length[surface.dual_edges[e].halfedge];
     for(int b = 0; b < 2; ++b)
     {
-      const double r = branch_rotation(surface, alpha, rho, matching, e, b);
-      const double curl = curl_of_branch(surface, alpha, rho, matching, e, b);
+      const double r = rotations[e][b];
+      const double curl = curl_of_branch(surface, alpha, rho, e, b, r);
       quality.energy += surface.weight[e] * r * r;
       sum_of_rotations += std::abs(r);
       quality.maximum_rotation = (std::max)(quality.maximum_rotation, std::abs(r));
@@ -102,6 +119,28 @@ inline Field_quality measure_quality(const Cut_surface& surface, const std::vect
     quality.mean_skewness = integral_of_skewness / total_area;
   return quality;
 }
+
+// Writes r0 and r1 on both halfedges of each dual edge, seen from the face of each, and 0 on all other halfedges.
+template <typename CutMesh, typename HalfedgeMap>
+void write_rotations(const CutMesh& cut_mesh, const std::vector<int>& matching,
+                     const std::vector<std::array<double, 2> >& rotations, const HalfedgeMap map)
+{
+  typedef std::array<double, 2> Rotations;
+  const Cut_surface& surface = cut_mesh.surface();
+  cut_mesh.for_each_halfedge([&](const auto h, int) { put(map, h, Rotations{ 0, 0 }); });
+  for(std::size_t e = 0; e < rotations.size(); ++e)
+  {
+    Rotations from_opposite;
+    for(int b = 0; b < 2; ++b)
+      from_opposite[matched_branch(b, matching[e])] = -rotations[e][b];
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].halfedge), rotations[e]);
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].opposite), from_opposite);
+  }
+}
+
+template <typename CutMesh>
+void write_rotations(const CutMesh&, const std::vector<int>&, const std::vector<std::array<double, 2> >&,
+                     const CGAL::internal_np::Param_not_found) {}
 
 } // namespace internal
 } // namespace Frame_fields

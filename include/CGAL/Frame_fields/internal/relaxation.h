@@ -37,11 +37,16 @@ namespace internal {
 // The rotation of each pair of opposite branches, gamma0 and gamma1 of Section 4 of the paper.
 typedef std::array<double, 2> Branch_rotations;
 
-// The number of the branch pair (0 or 1) that `alpha` puts along the direction an aligned face must keep.
+// The number of the branch pair (0 or 1) of an orthogonal frame that is nearest to a direction of its face.
+inline int nearest_branch(const double direction, const double alpha)
+{
+  return static_cast<int>(std::lround((direction - alpha) / (CGAL_PI / 2))) & 1;
+}
+
+// The branch pair that `alpha` puts along the direction an aligned face must keep.
 inline int aligned_branch(const Cut_surface& surface, const int face, const double alpha)
 {
-  const double quarters = (surface.alignment[face] - alpha) / (CGAL_PI / 2);
-  return static_cast<int>(std::lround(quarters)) & 1;
+  return nearest_branch(surface.alignment[face], alpha);
 }
 
 // The branch of face j that branch `b` of face i goes to.
@@ -77,11 +82,14 @@ private:
   double m_factor;
 };
 
-// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, in the variables
-// s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
+// The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, plus 2 guide_weight times
+// the squared angles between guiding directions and the branch pairs nearest to them: the same balance as in the
+// orthogonal field, where |z_i - z_j ...|^2 is 16 r^2 for small r.
+//
+// The variables are s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
 //   2 (r0^2 + r1^2) = (2 r - s_i + s_j)^2 + (d_i - sigma d_j)^2,
-// so the sums and the differences do not meet but in aligned faces, where one of gamma0 and gamma1 is 0. That leaves the
-// factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
+// so the sums and the differences do not meet but in guided faces and in aligned ones, where gamma0 or gamma1 is 0. That
+// leaves the factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
 class Relaxation_system
 {
 public:
@@ -138,6 +146,13 @@ public:
       if(j >= 0)
         result[j] -= m_surface.weight[e] * twice_r;
     }
+    for_each_guided_face([&](const int face, const Variable& s, const Variable& d)
+    {
+      const double twice_angle = 2 * std::remainder(m_surface.guide_angle[face] - m_alpha[face], CGAL_PI / 2);
+      for(const Variable& variable : { s, d })
+        if(variable.unknown >= 0)
+          result[variable.unknown] += variable.sign * guide_weight(m_surface, face) * twice_angle;
+    });
     return result;
   }
 
@@ -167,7 +182,22 @@ private:
     return variable.unknown < 0 ? 0 : variable.sign * solution[variable.unknown];
   }
 
-  // Calls `visit(a, b, weight)` for the terms weight (a - b)^2 of the energy, without the 2 r in the sums.
+  // Calls `visit(face, s, d)` for the faces with soft guiding directions, where (s + d) / 2 is the rotation of the branch
+  // pair that the direction pulls at.
+  template <typename Visit>
+  void for_each_guided_face(const Visit& visit) const
+  {
+    if(m_surface.guide_weight.empty())
+      return;
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(guide_weight(m_surface, f) > 0)
+      {
+        const Variable& d = m_variable[difference(f)];
+        visit(f, m_variable[sum(f)], nearest_branch(m_surface.guide_angle[f], m_alpha[f]) == 0 ? d : -d);
+      }
+  }
+
+  // Calls `visit(a, b, weight)` for the terms weight (a - b)^2 of the energy, without what is constant in them.
   template <typename Visit>
   void for_each_square(const Visit& visit) const
   {
@@ -181,6 +211,8 @@ private:
     if(m_orthogonality.is_positive())
       for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
         visit(m_variable[difference(f)], Variable{ -1, 1 }, 2 * m_orthogonality.weight(f));
+    for_each_guided_face([&](const int face, const Variable& s, const Variable& d)
+                         { visit(s, -d, guide_weight(m_surface, face)); });
   }
 
   // What no square holds to 0 may move together, each unknown by the same amount up to its sign. One unknown of each

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/Geodesic_ball.h>
 #include <CGAL/Frame_fields/internal/Geodesic_distances.h>
 
 #include <CGAL/number_type_config.h>
@@ -161,14 +162,6 @@ inline double local_feature_length(const Cut_surface& surface, const int corner)
   return (std::min)(length_forward, length_backward) / 2;
 }
 
-inline double sector_area(const Cut_surface& surface, const int sector)
-{
-  double sum = 0;
-  for_each_corner(surface.opposite, surface.first_corner[sector],
-                  [&](const int corner) { sum += area(surface, face_of(corner)) / 3; });
-  return sum;
-}
-
 // A sector that gives rotation to a sharp corner, and which part of it.
 struct Receiver
 {
@@ -176,55 +169,17 @@ struct Receiver
   double part;
 };
 
-// A sector that a walk from a sharp corner reached.
-struct Reached_sector
-{
-  int sector;
-  double distance, area;
-};
-
-inline std::vector<Reached_sector> sectors_in_radius(const Cut_surface& surface, const int corner, const double radius,
-                                                     Geodesic_distances& distances)
-{
-  std::vector<Reached_sector> result;
-  distances.walk_from(corner, [&](const int sector, const double distance)
-  {
-    if(distance > radius)
-      return false;
-    result.push_back({ sector, distance, sector_area(surface, sector) });
-    return true;
-  });
-  return result;
-}
-
-// Leaves the sectors up to the largest distance at which they fill most of the wedge that the corner's angle opens. Beyond
-// it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
-inline void keep_the_wedge(const Cut_surface& surface, const int corner, std::vector<Reached_sector>& sectors)
-{
-  const double least_filled_part = 0.8;
-  std::size_t kept = 0;
-  double area = 0;
-  for(std::size_t k = 0; k < sectors.size(); ++k)
-  {
-    area += sectors[k].area;
-    const double wedge = surface.total_angle[corner] * sectors[k].distance * sectors[k].distance / 2;
-    if(area >= least_filled_part * wedge)
-      kept = k + 1;
-  }
-  sectors.resize(kept);
-}
-
-// The sectors that are not sharp corners among those reached, with parts proportional to their areas.
-inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const std::vector<Reached_sector>& sectors,
+// The sectors that are not sharp corners among those with a share in a ball, with parts proportional to their shares.
+inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const std::vector<Sector_share>& shares,
                                              const double bound)
 {
   std::vector<Receiver> receivers;
   double total_area = 0;
-  for(const Reached_sector& reached : sectors)
-    if(!is_sharp_corner(surface, reached.sector, bound))
+  for(const Sector_share& share : shares)
+    if(!is_sharp_corner(surface, share.sector, bound))
     {
-      receivers.push_back({ reached.sector, reached.area });
-      total_area += reached.area;
+      receivers.push_back({ share.sector, share.area });
+      total_area += share.area;
     }
   for(Receiver& receiver : receivers)
     receiver.part = total_area > 0 ? receiver.part / total_area : 1. / static_cast<double>(receivers.size());
@@ -258,32 +213,28 @@ class Receiver_search
 public:
   Receiver_search(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy, const double bound)
     : m_surface(surface), m_strategy(strategy), m_bound(bound), m_rings(surface, patch), m_distances(surface, patch)
+    , m_ball(surface, m_distances)
   {}
 
   std::vector<Receiver> receivers_of(const int corner)
   {
     if(m_strategy.kind() == Support_strategy::RINGS)
       return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bound, m_rings));
-    const std::vector<Receiver> receivers = receivers_among(m_surface, supporting_sectors(corner), m_bound);
+    const double radius = m_strategy.support_radius();
+    const std::vector<Sector_share> shares =
+      radius > 0 ? m_ball.shares_within(corner, radius)
+                 : m_ball.shares_in_wedge(corner, local_feature_length(m_surface, corner));
+    const std::vector<Receiver> receivers = receivers_among(m_surface, shares, m_bound);
     return receivers.empty() ? nearest_receiver(m_surface, corner, m_bound, m_distances) : receivers;
   }
 
 private:
-  std::vector<Reached_sector> supporting_sectors(const int corner)
-  {
-    if(m_strategy.support_radius() > 0)
-      return sectors_in_radius(m_surface, corner, m_strategy.support_radius(), m_distances);
-    std::vector<Reached_sector> sectors =
-      sectors_in_radius(m_surface, corner, local_feature_length(m_surface, corner), m_distances);
-    keep_the_wedge(m_surface, corner, sectors);
-    return sectors;
-  }
-
   const Cut_surface& m_surface;
   const Support_strategy& m_strategy;
   double m_bound;
   Sector_rings m_rings;
   Geodesic_distances m_distances;
+  Geodesic_ball m_ball;
 };
 
 // Adds to `demand` (K of the paper) what the sharp corners of the patch ask for and takes it from their receivers.

@@ -66,29 +66,31 @@ Patch_result compute_indices(const Cut_surface& surface, const std::vector<doubl
   });
 }
 
-// The matching nearest to omega, made meshable if the options ask for it.
+// The matching nearest to omega, made meshable if the options ask for it. The sectors whose index this changed are
+// added to `repaired_sectors`.
 template <typename ConcurrencyTag>
 Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
                                           const std::vector<double>& alpha, const Options& options,
                                           std::vector<int>& matching, std::vector<int>& index,
-                                          int& number_of_repaired_sectors)
+                                          std::vector<Repaired_sector>& repaired_sectors)
 {
   matching.resize(surface.number_of_dual_edges());
   index.resize(surface.number_of_sectors());
-  std::vector<int> repaired(surface.patches.size(), 0);
+  std::vector<std::vector<Repaired_sector> > repaired(surface.patches.size());
   const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int number)
   {
     const Patch& patch = surface.patches[number];
     match_patch(surface, patch, omega, alpha, matching);
     const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
     if(indices_result.error_code == OK && has_index_targets(surface, patch))
-      enforce_index_targets(surface, patch, omega, alpha, matching, index);
+      repaired[number] = enforce_index_targets(surface, patch, omega, alpha, matching, index);
     else if(indices_result.error_code == OK && options.repair_matching)
       repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
                                       index);
     return indices_result;
   });
-  number_of_repaired_sectors = std::accumulate(repaired.begin(), repaired.end(), 0);
+  for(const std::vector<Repaired_sector>& sectors : repaired)
+    repaired_sectors.insert(repaired_sectors.end(), sectors.begin(), sectors.end());
   return result;
 }
 
