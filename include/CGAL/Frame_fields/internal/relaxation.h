@@ -234,16 +234,24 @@ private:
       pieces.union_set(node(-a), node(-b));
     });
 
-    std::vector<bool> is_piece_held(number_of_nodes, false);
+    std::vector<bool> is_piece_held(number_of_nodes, false), is_fixed(m_size, false);
+    for(const Variable& variable : m_variable) // in the order of the faces, which does not depend on the solver
+    {
+      const int piece = pieces.find_set(node(variable)), negative_piece = pieces.find_set(node(-variable));
+      if(piece != negative_piece && !is_piece_held[piece])
+        is_fixed[variable.unknown] = true;
+      is_piece_held[piece] = is_piece_held[negative_piece] = true;
+    }
+    leave_out(is_fixed);
+  }
+
+  void leave_out(const std::vector<bool>& is_fixed)
+  {
     std::vector<int> new_unknown(m_size, -1);
     int new_size = 0;
     for(int u = 0; u < m_size; ++u)
-    {
-      const int piece = pieces.find_set(2 * u), negative_piece = pieces.find_set(2 * u + 1);
-      if(piece == negative_piece || is_piece_held[piece])
+      if(!is_fixed[u])
         new_unknown[u] = new_size++;
-      is_piece_held[piece] = is_piece_held[negative_piece] = true;
-    }
     for(Variable& variable : m_variable)
       variable.unknown = new_unknown[variable.unknown];
     m_size = new_size;
