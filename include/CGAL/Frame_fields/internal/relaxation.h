@@ -22,6 +22,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -161,7 +162,10 @@ private:
     const int number_of_nodes = static_cast<int>(is_fixed.size());
     std::vector<int> rank(number_of_nodes, 0), parent(number_of_nodes);
     std::iota(parent.begin(), parent.end(), 0);
-    boost::disjoint_sets<int*, int*> pieces(rank.data(), parent.data());
+    // Not bare pointers: boost::get() for those may be hidden by another one, depending on what was included before.
+    const boost::typed_identity_property_map<int> number;
+    boost::disjoint_sets pieces(boost::make_iterator_property_map(rank.begin(), number),
+                                boost::make_iterator_property_map(parent.begin(), number));
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
       for(int b = 0; b < 2; ++b)
         pieces.union_set(first_node(e, b), second_node(e, b));
