@@ -9,7 +9,7 @@ import sys
 
 
 def combination_of(report):
-    return f"{report['cgal']}, {report['eigen']}, {report['compiler']}, {report['standard']}"
+    return f"\\cgal {report['cgal']}<br>Eigen {report['eigen']}<br>{report['compiler']}<br>{report['standard']}"
 
 
 def results_of(report):
@@ -23,6 +23,11 @@ def results_of(report):
     return passed
 
 
+def mesh_text(mesh):
+    class_name, _, rest = mesh.partition("_with_")
+    return f"`{class_name.replace('OpenMesh_', 'OpenMesh::')}`" + (f" with {rest}" if rest else "")
+
+
 def row(cell, texts):
     return "<tr>" + "".join(f"<{cell}>{text}</{cell}>" for text in texts) + "</tr>"
 
@@ -32,7 +37,7 @@ def table(reports):
     types = sorted({mesh_and_kernel for result in results.values() for mesh_and_kernel in result})
     lines = [row("th", ["mesh", "points", *sorted(results)])]
     for mesh, kernel in types:
-        names = [name.replace("_", " ") if name != mesh else f"`{name}`" for name in (mesh, kernel)]
+        names = [mesh_text(mesh), kernel.replace("_", " ")]
         lines.append(row("td", [*names, *(results[c][mesh, kernel] for c in sorted(results))]))
     return "\n".join(["<table>", *lines, "</table>", ""])
 
