@@ -5,6 +5,7 @@ set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 
+# shellcheck source=/dev/null
 . /etc/os-release
 # shellcheck disable=SC2016 # apt fills in the URI
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' \
