@@ -1,4 +1,5 @@
-# A user's project takes the package by add_subdirectory and, once it is installed, by find_package.
+# A user's project takes the package by add_subdirectory and, once it is installed, by find_package,
+# with the CGAL and the Eigen of this build.
 
 set(consumer_directory ${PROJECT_BINARY_DIR}/consumer)
 set(consumer_prefix ${consumer_directory}/prefix)
@@ -8,7 +9,8 @@ function(add_consumer_test name)
     COMMAND ${CMAKE_CTEST_COMMAND}
       --build-and-test ${PROJECT_SOURCE_DIR}/consumer ${consumer_directory}/${name}
       --build-generator ${CMAKE_GENERATOR}
-      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${ARGN}
+      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
+        -DCGAL_DIR=${CGAL_DIR} -DEigen3_DIR=${Eigen3_DIR} ${ARGN}
       --test-command consumer)
 endfunction()
 

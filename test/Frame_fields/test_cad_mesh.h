@@ -15,6 +15,9 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,34 +60,86 @@ void for_each_halfedge(const Mesh& mesh, const Visit& visit)
   }
 }
 
-// A mesh with marked feature edges.
+template <typename Mesh, typename Point_map>
+void add_triangles(const Model& model, Mesh& mesh, const Point_map point_map)
+{
+  std::vector<typename boost::property_traits<Point_map>::value_type> points;
+  for(const Point& p : model.points)
+    points.emplace_back(p.x(), p.y(), p.z());
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(
+    points, model.triangles, mesh, CGAL::parameters::default_values(),
+    CGAL::parameters::vertex_point_map(point_map));
+}
+
+// A mesh and what a caller passes for its points.
 template <typename Mesh_>
-struct Cad_mesh
+struct Mesh_with_points
 {
   typedef Mesh_ Mesh;
-  typedef boost::graph_traits<Mesh> Graph_traits;
-  typedef typename boost::property_map<Mesh, CGAL::dynamic_edge_property_t<bool> >::type Edge_map;
+  typedef bool Mark; // of feature edges
+  static constexpr bool is_editable = true;
+
+  template <typename... Arguments>
+  explicit Mesh_with_points(Arguments&&... arguments) : mesh(std::forward<Arguments>(arguments)...) {}
+
+  auto points() const { return get(CGAL::vertex_point, mesh); }
+  template <typename NamedParameters>
+  NamedParameters with_points(const NamedParameters& np) const { return np; }
 
   Mesh mesh;
+};
+
+// A mesh made of a model. Specialized for meshes that stand on another mesh or need named parameters.
+template <typename Mesh>
+struct Mesh_of_model : Mesh_with_points<Mesh>
+{
+  explicit Mesh_of_model(const Model& model)
+  {
+    add_triangles(model, this->mesh, get(CGAL::vertex_point, this->mesh));
+  }
+};
+
+// A mesh with marked feature edges.
+template <typename MeshType>
+struct Cad_mesh : Mesh_of_model<MeshType>
+{
+  typedef Mesh_of_model<MeshType> Base;
+  typedef typename Base::Mesh Mesh;
+  typedef boost::graph_traits<Mesh> Graph_traits;
+  typedef CGAL::dynamic_edge_property_t<typename Base::Mark> Edge_property;
+  typedef typename boost::property_map<Mesh, Edge_property>::type Edge_map;
+
+  using Base::mesh;
   Edge_map is_feature;
 
   explicit Cad_mesh(const Model& model, const bool splits_overconstrained_faces = true)
+    : Base(model), is_feature(get(Edge_property(), mesh))
   {
-    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(model.points, model.triangles, mesh);
-    is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
-    const std::set<std::pair<Point, Point> > features(model.features.begin(), model.features.end());
+    const std::set<std::pair<Point, Point> > segments(model.features.begin(), model.features.end());
     for(const auto e : edges(mesh))
-      put(is_feature, e, features.count(segment(point(source(e, mesh)), point(target(e, mesh)))) > 0);
-    if(splits_overconstrained_faces)
-      FF::split_overconstrained_faces(mesh, parameters::edge_is_constrained_map(is_feature));
+      put(is_feature, e, segments.count(segment(point(source(e, mesh)), point(target(e, mesh)))) > 0);
+    if constexpr(Base::is_editable)
+      if(splits_overconstrained_faces)
+        FF::split_overconstrained_faces(mesh, features());
   }
 
   Cad_mesh(const Cad_mesh&) = delete;
   Cad_mesh& operator=(const Cad_mesh&) = delete;
 
-  Point point(const typename Graph_traits::vertex_descriptor v) const { return get(CGAL::vertex_point, mesh, v); }
+  Point point(const typename Graph_traits::vertex_descriptor v) const
+  {
+    const auto p = get(Base::points(), v);
+    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
 
-  auto features() const { return parameters::edge_is_constrained_map(is_feature); }
+  // The points in `double` as a property map.
+  auto double_points() const
+  {
+    return boost::make_function_property_map<typename Graph_traits::vertex_descriptor, Point>(
+      [this](const typename Graph_traits::vertex_descriptor v) { return point(v); });
+  }
+
+  auto features() const { return Base::with_points(parameters::edge_is_constrained_map(is_feature)); }
 
   Cut cut() const
   {
@@ -95,7 +150,7 @@ struct Cad_mesh
     std::vector<int> opposites;
     for_each_halfedge(mesh, [&](const auto h)
     {
-      const bool is_constrained = is_border(opposite(h, mesh), mesh) || get(is_feature, edge(h, mesh));
+      const bool is_constrained = CGAL::is_border(opposite(h, mesh), mesh) || get(is_feature, edge(h, mesh));
       points.push_back(point(target(h, mesh)));
       opposites.push_back(is_constrained ? -1 : get(number, opposite(h, mesh)));
     });
@@ -142,15 +197,16 @@ struct Maps
   Halfedge_map<Mesh, double> omega;
 };
 
-template <typename Mesh>
-Field to_field(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps)
+template <typename MeshType>
+Field to_field(const Cad_mesh<MeshType>& cad_mesh, const Maps<typename Cad_mesh<MeshType>::Mesh>& maps)
 {
   Field result;
   for(const auto f : faces(cad_mesh.mesh))
   {
     result.alpha.push_back(get(maps.alpha, f));
     result.rho.push_back(get(maps.rho, f));
-    result.branches.push_back(FF::frame_vectors(cad_mesh.mesh, f, result.alpha.back(), result.rho.back()));
+    result.branches.push_back(FF::frame_vectors(cad_mesh.mesh, f, result.alpha.back(), result.rho.back(),
+                                                parameters::vertex_point_map(cad_mesh.double_points())));
   }
   for_each_halfedge(cad_mesh.mesh, [&](const auto h)
   {
@@ -162,10 +218,10 @@ Field to_field(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps)
 }
 
 // Calls `cad_frame_field()` for all its outputs.
-template <typename Mesh, typename NamedParameters>
-Field frame_field(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& np)
+template <typename MeshType, typename NamedParameters>
+Field frame_field(const Cad_mesh<MeshType>& cad_mesh, const NamedParameters& np)
 {
-  const Maps<Mesh> maps(cad_mesh.mesh);
+  const Maps<typename Cad_mesh<MeshType>::Mesh> maps(cad_mesh.mesh);
   FF::Statistics statistics;
   const FF::Result result = FF::cad_frame_field(
     cad_mesh.mesh, maps.alpha, maps.rho, maps.index,

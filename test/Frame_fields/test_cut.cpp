@@ -372,4 +372,14 @@ double largest_branch_distance(const std::vector<std::array<Vector, 4> >& before
   return result;
 }
 
+void expect_valid_field(const Cut& cut, const Field& field)
+{
+  EXPECT_EQ(std::vector<int>(cut.number_of_patches, 0), poincare_hopf_defects(cut, field.index));
+  EXPECT_EQ(static_cast<std::size_t>(cut.number_of_patches), field.statistics.number_of_patches);
+  EXPECT_EQ(constrained_sectors_below(cut, sharp_corner_bound).size(), field.statistics.number_of_sharp_corners);
+  EXPECT_LT(largest_misalignment(cut, field), 1e-9);
+  EXPECT_LT(largest_misalignment_in_space(cut, field), 1e-9);
+  EXPECT_LE(largest(field.rho), 0.45 * pi + 1e-12);
+}
+
 } // namespace test

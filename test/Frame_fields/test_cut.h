@@ -95,6 +95,12 @@ Relaxation relaxation(const Cut& cut, const Field& orthogonal, const Field& rela
 double largest_branch_distance(const std::vector<std::array<Vector, 4> >& before,
                                const std::vector<std::array<Vector, 4> >& after);
 
+// The default bound.
+constexpr double sharp_corner_bound = 135 * degree;
+
+// What holds for each field of the default bound: exact indices, alignment, and the largest skewness.
+void expect_valid_field(const Cut& cut, const Field& field);
+
 } // namespace test
 
 #endif // TEST_FRAME_FIELDS_TEST_CUT_H

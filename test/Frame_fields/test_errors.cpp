@@ -3,6 +3,8 @@
 
 #include <CGAL/Frame_fields.h>
 
+#include <CGAL/boost/graph/generators.h>
+
 #include <cmath>
 #include <iterator>
 #include <limits>

@@ -8,20 +8,8 @@ namespace {
 using namespace test;
 using CGAL::Frame_fields::Support_strategy;
 
-constexpr double sharp_corner_bound = 135 * degree;
-
 class Every_model : public On_models {};
 class Every_small_model : public On_models {};
-
-void expect_valid_field(const Cut& cut, const Field& field)
-{
-  EXPECT_EQ(std::vector<int>(cut.number_of_patches, 0), poincare_hopf_defects(cut, field.index));
-  EXPECT_EQ(static_cast<std::size_t>(cut.number_of_patches), field.statistics.number_of_patches);
-  EXPECT_EQ(constrained_sectors_below(cut, sharp_corner_bound).size(), field.statistics.number_of_sharp_corners);
-  EXPECT_LT(largest_misalignment(cut, field), 1e-9);
-  EXPECT_LT(largest_misalignment_in_space(cut, field), 1e-9);
-  EXPECT_LE(largest(field.rho), 0.45 * CGAL_PI + 1e-12);
-}
 
 TEST_P(Every_model, has_an_aligned_field_with_exact_indices)
 {

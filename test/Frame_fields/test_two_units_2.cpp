@@ -1,3 +1,5 @@
+#include <boost/graph/compressed_sparse_row_graph.hpp> // has functions whose names hide others of Boost
+
 #include <CGAL/Frame_fields.h>
 
 #include <CGAL/Polyhedron_3.h>

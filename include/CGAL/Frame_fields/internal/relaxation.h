@@ -23,6 +23,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -225,7 +226,10 @@ private:
     const int zero = 2 * m_size, number_of_nodes = zero + 2; // node 2 u is unknown u, node 2 u + 1 is its negative
     std::vector<int> rank(number_of_nodes, 0), parent(number_of_nodes);
     std::iota(parent.begin(), parent.end(), 0);
-    boost::disjoint_sets<int*, int*> pieces(rank.data(), parent.data());
+    // Not bare pointers: boost::get() for those may be hidden by another one, depending on what was included before.
+    const boost::typed_identity_property_map<int> number;
+    boost::disjoint_sets pieces(boost::make_iterator_property_map(rank.begin(), number),
+                                boost::make_iterator_property_map(parent.begin(), number));
     const auto node = [&](const Variable& v) { return v.unknown < 0 ? zero : 2 * v.unknown + (v.sign < 0); };
     pieces.union_set(zero, zero + 1);
     for_each_square([&](const Variable& a, const Variable& b, double)
