@@ -83,25 +83,41 @@ private:
                     || std::abs(turning[s] - surface.total_angle[s] + 2 * CGAL_PI) > CGAL_PI / 4;
   }
 
+  // Calls `visit(h)` for the halfedges by which a breadth-first search from the faces of `queue` gets to the faces of their
+  // patches that are not reached yet. Returns the last of all these faces.
+  template <typename Visit>
+  static int search(const Cut_surface& surface, std::vector<int> queue, std::vector<bool>& is_reached, const Visit& visit)
+  {
+    for(const int f : queue)
+      is_reached[f] = true;
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
+        if(!surface.is_constrained(h) && !is_reached[face_of(surface.opposite[h])])
+        {
+          is_reached[face_of(surface.opposite[h])] = true;
+          visit(h);
+          queue.push_back(face_of(surface.opposite[h]));
+        }
+    return queue.back();
+  }
+
+  // The seams where labels change run away from the first face. It is one in the middle of the patch, so that seams are
+  // between singularities and the constrained edges, which are mostly near to each other.
   void label_pairs(const Cut_surface& surface)
   {
-    std::vector<bool> is_labelled(surface.number_of_faces(), false);
     m_swaps_pairs.assign(surface.number_of_faces(), 0);
-    std::vector<int> queue;
+    std::vector<bool> is_reached(surface.number_of_faces(), false), is_labelled = is_reached;
     for(const Patch& patch : surface.patches)
     {
-      queue.assign(1, patch.faces.begin_index);
-      is_labelled[patch.faces.begin_index] = true;
-      for(std::size_t i = 0; i < queue.size(); ++i)
-        for(int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
-        {
-          if(surface.is_constrained(h) || is_labelled[face_of(surface.opposite[h])])
-            continue;
-          const int next = face_of(surface.opposite[h]);
-          is_labelled[next] = true;
-          m_swaps_pairs[next] = (m_swaps_pairs[queue[i]] + m_matching[h]) % 2;
-          queue.push_back(next);
-        }
+      std::vector<int> rim;
+      for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+        if(surface.is_constrained(3 * f) || surface.is_constrained(3 * f + 1) || surface.is_constrained(3 * f + 2))
+          rim.push_back(f);
+      const int middle = rim.empty() ? patch.faces.begin_index : search(surface, rim, is_reached, [](int) {});
+      search(surface, { middle }, is_labelled, [&](const int h)
+      {
+        m_swaps_pairs[face_of(surface.opposite[h])] = (m_swaps_pairs[face_of(h)] + m_matching[h]) % 2;
+      });
     }
   }
 

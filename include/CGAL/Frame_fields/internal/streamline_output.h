@@ -40,6 +40,15 @@ Coordinates position(const TriangleMesh& tm, const CutMesh& cut_mesh, const int 
   return result;
 }
 
+// The label that most of the line has.
+inline int branch_pair(const Branch_directions& directions, const Traced_streamline& traced)
+{
+  double excess_of_ones = 0;
+  for(const Streamline_piece& piece : traced.pieces)
+    excess_of_ones += directions.pair_label(piece.face, piece.branch) == 1 ? piece.length : -piece.length;
+  return excess_of_ones > 0 ? 1 : 0;
+}
+
 template <typename GeomTraits, typename TriangleMesh, typename CutMesh>
 Streamline<typename GeomTraits::Point_3, typename boost::graph_traits<TriangleMesh>::face_descriptor>
 to_streamline(const TriangleMesh& tm, const CutMesh& cut_mesh, const Branch_directions& directions,
@@ -54,7 +63,7 @@ to_streamline(const TriangleMesh& tm, const CutMesh& cut_mesh, const Branch_dire
 
   const Streamline_piece& first = traced.pieces.front();
   Streamline<typename GeomTraits::Point_3, typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
-  result.branch_pair = directions.pair_label(first.face, first.branch);
+  result.branch_pair = branch_pair(directions, traced);
   result.is_closed = traced.is_closed;
   result.points.push_back(point(first.face, first.from));
   for(const Streamline_piece& piece : traced.pieces)
