@@ -107,7 +107,7 @@ inline boost::program_options::options_description option_descriptions()
     ("output,o", file(), "write the mesh and the field as PLY")
     ("ascii", "write the PLY file as text")
     ("vtp", file(), "write faces, features and singular sectors as VTK PolyData, for ParaView")
-    ("streamlines", po::value<double>()->value_name("SPACING")->implicit_value(0, ""),
+    ("streamlines", po::value<double>()->value_name("SPACING")->implicit_value(0, "default"),
      "write streamlines to the VTP file as well, at this distance (a length of the model) or a default one")
     ("report", file(), "write the numbers as JSON")
     ("quiet", "print nothing but warnings and errors")

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The four branches of each face as unit vectors of its chart, and how they go on in the next face. A field in the form that
-// streamlines are traced in.
+// The four branches of each face as unit vectors of its chart, and how they go on in the next face. A field in the form
+// that streamlines are traced in.
 class Branch_directions
 {
 public:
@@ -83,10 +83,11 @@ private:
                     || std::abs(turning[s] - surface.total_angle[s] + 2 * CGAL_PI) > CGAL_PI / 4;
   }
 
-  // Calls `visit(h)` for the halfedges by which a breadth-first search from the faces of `queue` gets to the faces of their
-  // patches that are not reached yet. Returns the last of all these faces.
+  // Calls `visit(h)` for the halfedges by which a breadth-first search from the faces of `queue` gets to the faces of
+  // their patches that are not reached yet. Returns the last of all these faces.
   template <typename Visit>
-  static int search(const Cut_surface& surface, std::vector<int> queue, std::vector<bool>& is_reached, const Visit& visit)
+  static int search(const Cut_surface& surface, std::vector<int> queue, std::vector<bool>& is_reached,
+                    const Visit& visit)
   {
     for(const int f : queue)
       is_reached[f] = true;

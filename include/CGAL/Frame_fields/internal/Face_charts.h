@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -61,8 +61,8 @@ inline Corner_weights weights_on_halfedge(const int halfedge, const double t)
   return between(weights_of_corner(previous_of(halfedge)), weights_of_corner(halfedge), t);
 }
 
-// Each face laid out in the plane: its first halfedge starts at the origin and runs along the x axis. Lengths are in units
-// of the longest edge of the surface, so that products of them neither overflow nor underflow at any scale.
+// Each face laid out in the plane: its first halfedge starts at the origin and runs along the x axis. Lengths are in
+// units of the longest edge of the surface, so that products of them neither overflow nor underflow at any scale.
 class Face_charts
 {
 public:
@@ -145,12 +145,13 @@ struct Ray_exit
   double t;
 };
 
-// Where the ray from `p` meets a halfedge that it leaves its face through: with the source to its right and the target to its
-// left.
+// Where the ray from `p` meets a halfedge that it leaves its face through: with the source to its right and the target
+// to its left.
 inline Ray_exit meet(const Face_charts& charts, const Plane_vector& p, const Plane_vector& direction,
                      const int halfedge)
 {
-  const double right = -cross(direction, charts.source(halfedge) - p), left = cross(direction, charts.corner(halfedge) - p);
+  const double right = -cross(direction, charts.source(halfedge) - p);
+  const double left = cross(direction, charts.corner(halfedge) - p);
   if(right + left > 0)
     return { halfedge, (std::min)(1., (std::max)(0., right / (right + left))) };
   return { halfedge, dot(direction, charts.direction(halfedge)) > 0 ? 1. : 0. }; // it runs along the halfedge
@@ -172,15 +173,21 @@ inline Ray_exit exit_from_halfedge(const Face_charts& charts, const Plane_vector
 inline Ray_exit exit_from_inside(const Face_charts& charts, const int face, const Plane_vector& p,
                                  const Plane_vector& direction)
 {
-  const auto breadth = [&](const int h) // of the halfedge seen along the ray; -1 if the ray does not leave through it
-  {
-    const double right = -cross(direction, charts.source(h) - p), left = cross(direction, charts.corner(h) - p);
-    return right >= 0 && left >= 0 ? right + left : -1;
-  };
+  const double infinity = std::numeric_limits<double>::infinity(), parallel_tolerance = 1e-12;
   int best = 3 * face;
-  for(const int h : { 3 * face + 1, 3 * face + 2 })
-    if(breadth(h) > breadth(best))
+  double best_score = -infinity;
+  for(int h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    if(cross(direction, charts.direction(h)) < parallel_tolerance)
+      continue;
+    // Both are positive for one halfedge. If the point is on the rim, rounding errors can make one a little negative.
+    const double right = -cross(direction, charts.source(h) - p), left = cross(direction, charts.corner(h) - p);
+    if((std::min)(right, left) > best_score)
+    {
       best = h;
+      best_score = (std::min)(right, left);
+    }
+  }
   return meet(charts, p, direction, best);
 }
 

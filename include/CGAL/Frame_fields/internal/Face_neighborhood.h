@@ -30,8 +30,8 @@ struct Chart_point
   Plane_vector place;
 };
 
-// The faces of a patch around a point, laid flat one after the other, as far as constrained edges. The matching carries the
-// branch along.
+// The faces of a patch around a point, laid flat one after the other, as far as constrained edges. The matching carries
+// the branch along.
 class Face_neighborhood
 {
 public:

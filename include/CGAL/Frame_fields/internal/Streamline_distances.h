@@ -35,8 +35,8 @@ struct Streamline_place
   double arc;
 };
 
-// The streamlines of a patch, for questions of what is near. Pieces of one branch pair in one face are parallel, so they
-// are sorted by their offsets across it.
+// The streamlines of a patch, for questions of what is near. Pieces of one branch pair in one face are parallel, so
+// they are sorted by their offsets across it.
 class Streamline_distances
 {
 public:
@@ -46,8 +46,8 @@ public:
     , m_parts(2 * static_cast<std::size_t>(patch.faces.size()))
   {}
 
-  // The arc is that of `place` at the start of the piece and grows along it, or falls if `sign` is -1. Where a piece slides
-  // along an edge it is cut into parts that deviate from the branch by less than `tolerance`.
+  // The arc is that of `place` at the start of the piece and grows along it, or falls if `sign` is -1. Where a piece
+  // slides along an edge it is cut into parts that deviate from the branch by less than `tolerance`.
   void add(const Streamline_piece& piece, const Streamline_place& place, const double sign, const double tolerance)
   {
     const Plane_vector axis = m_directions.direction(piece.face, piece.branch % 2);
@@ -70,8 +70,8 @@ public:
     }
   }
 
-  // Whether a line of the branch pair at a point is nearer to it than `distance`. Of the line of `place` itself, only what
-  // the point is beside counts, and not what was traced just before.
+  // Whether a line of the branch pair at a point is nearer to it than `distance`. Of the line of `place` itself, only
+  // what the point is beside counts, and not what was traced just before.
   bool is_line_near(const Chart_point& point, const double distance, const Streamline_place& place)
   {
     bool is_near = false;

@@ -44,8 +44,8 @@ struct Streamline_head
   Corner_weights weights{};
 };
 
-// Follows streamlines from face to face. In a face a line is straight. Where the field on both sides of an edge points to
-// that edge, the line slides along it, as solutions of differential equations with a discontinuous right side do.
+// Follows streamlines from face to face. In a face a line is straight. Where the field on both sides of an edge points
+// to that edge, the line slides along it, as solutions of differential equations with a discontinuous right side do.
 // Through a vertex it goes on as straight as the field allows.
 class Streamline_tracer
 {
@@ -106,7 +106,8 @@ private:
     return slide_along(exit, branch, direction, direction_there);
   }
 
-  // The field on the other side points back to the halfedge. Of all mixtures of the two directions one is along the halfedge.
+  // The field on the other side points back to the halfedge. Of all mixtures of the two directions one is along the
+  // halfedge.
   Streamline_head slide_along(const Ray_exit& exit, const int branch, const Plane_vector& direction,
                               const Plane_vector& direction_there) const
   {
@@ -136,8 +137,8 @@ private:
     return (std::min)(m_surface.angle[corner], (std::max)(0., angle));
   }
 
-  // Turns once around the vertex and takes the way on that is nearest to halving the angle around it. A way on is a branch that
-  // points into its face, or an edge that the branches on both sides point to.
+  // Turns once around the vertex and takes the way on that is nearest to halving the angle around it. A way on is a
+  // branch that points into its face, or an edge that the branches on both sides point to.
   Streamline_head go_on_from_vertex(const int first_corner, int branch, const double back_angle) const
   {
     const int sector = m_surface.sector[first_corner];

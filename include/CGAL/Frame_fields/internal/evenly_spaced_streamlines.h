@@ -86,9 +86,9 @@ struct Growing_streamline
   }
 };
 
-// Fills a patch with streamlines at a given spacing. The field is aligned with the constrained edges, so these are its first
-// lines. New lines begin beside those that there are, as in Jobard and Lefer, Creating evenly-spaced streamlines of
-// arbitrary density, 1997, and at last in the faces that no line is near to.
+// Fills a patch with streamlines at a given spacing. The field is aligned with the constrained edges, so these are its
+// first lines. New lines begin beside those that there are, as in Jobard and Lefer, Creating evenly-spaced streamlines
+// of arbitrary density, 1997, and at last in the faces that no line is near to.
 class Evenly_spaced_streamlines
 {
 public:
@@ -261,10 +261,29 @@ private:
     return false;
   }
 
+  // A seed on an edge or a vertex, moved on along its line to where the tracer will pass when the line comes back.
+  Streamline_seed moved_off_edges(const Streamline_seed& seed) const
+  {
+    const double tolerance = 1e-6;
+    if(*std::min_element(seed.weights.begin(), seed.weights.end()) > tolerance)
+      return seed;
+    Streamline_head head = head_at(seed);
+    Streamline_piece piece{ seed.face, seed.branch, seed.weights, seed.weights, 0 };
+    for(int i = 0; i < 2 && head.kind != Streamline_head::END; ++i)
+      m_tracer.advance(head, piece);
+    return { piece.face, piece.branch, between(piece.from, piece.to, 0.5) };
+  }
+
+  static Streamline_head head_at(const Streamline_seed& seed)
+  {
+    return { Streamline_head::INSIDE, -1, seed.face, seed.branch, seed.weights };
+  }
+
   // Adds the line through the seed unless another one is too near to it. Lines bend, so a point at the spacing from one
   // point of a line can be a little nearer to another one.
-  void begin_line(const Streamline_seed& seed)
+  void begin_line(const Streamline_seed& given_seed)
   {
+    const Streamline_seed seed = moved_off_edges(given_seed);
     const double nearest = 0.9;
     const int line = static_cast<int>(m_lines.size());
     if(m_distances.is_line_near(chart_point(seed), nearest * m_options.spacing, { line, 0 }))
@@ -287,7 +306,7 @@ private:
   {
     const double longest = m_options.maximum_length / 2;
     Growing_streamline growing;
-    Streamline_head head{ Streamline_head::INSIDE, -1, seed.face, seed.branch, seed.weights };
+    Streamline_head head = head_at(seed);
     bool is_closed = false, is_free = true;
     for(std::size_t i = 0; i < m_maximum_number_of_pieces && head.kind != Streamline_head::END && !is_closed && is_free
                            && growing.length < longest; ++i)
@@ -307,14 +326,15 @@ private:
     return { std::move(growing.pieces), is_closed };
   }
 
-  // Whether the piece passes through the seed in the direction of its branch; then ends it there.
+  // Whether the piece passes through the seed along its branch; then ends it there.
   bool ends_at(const Streamline_seed& seed, Streamline_piece& piece) const
   {
     if(piece.face != seed.face || piece.branch != seed.branch)
       return false;
     const double tolerance = 1e-6 * m_options.spacing;
-    const Plane_vector direction = m_directions.direction(seed.face, seed.branch);
-    const Plane_vector way = m_charts.place(seed.face, seed.weights) - m_charts.place(seed.face, piece.from);
+    const Plane_vector from = m_charts.place(piece.face, piece.from);
+    const Plane_vector direction = (1 / piece.length) * (m_charts.place(piece.face, piece.to) - from);
+    const Plane_vector way = m_charts.place(seed.face, seed.weights) - from;
     const double along = dot(direction, way);
     if(std::abs(cross(direction, way)) > tolerance || along <= 0 || along > piece.length + tolerance)
       return false;
@@ -323,8 +343,8 @@ private:
     return true;
   }
 
-  // Samples the last piece, which begins at the length `start`. Cuts the line at the last sample that was good and returns
-  // false if a sample is too near to a line.
+  // Samples the last piece, which begins at the length `start`. Cuts the line at the last sample that was good and
+  // returns false if a sample is too near to a line.
   bool keep_distance(Growing_streamline& growing, const double start, const int line, const double sign)
   {
     if(m_options.least_distance == 0)
