@@ -132,11 +132,7 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
-    result = internal::read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
-  if(result)
-    result = internal::read_from_faces(cut_mesh, "rho", rho_map, rho);
-  if(result)
-    result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
+    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
   if(!result)
     return result;
 
