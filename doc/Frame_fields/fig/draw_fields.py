@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Frame_fields authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Computes fields with the program cad_frame_field and draws them with their streamlines, as pictures beside this script.
+"""Computes fields with the program cad_frame_field and draws them with their streamlines, beside this script.
 
     xvfb-run -a /usr/bin/python3 draw_fields.py PROGRAM MESHES [PICTURE...]
 
@@ -74,7 +74,8 @@ def draw(name, rows, size, line_width, ball_size):
             renderers.append(renderer)
     path = str(FOLDER / (name + ".png"))
     render.write_picture(renderers, (width, height), path)
-    Image.open(path).convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(path, optimize=True)
+    picture = Image.open(path).convert("RGB")
+    picture.quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 class Computer:
@@ -91,8 +92,9 @@ class Computer:
             path = base.with_suffix(".off")
             model.write(path)
             if model.features:
-                base.with_suffix(".feat").write_text("".join("%d %d\n" % edge for edge in model.features), encoding="ascii")
-                options += ("--features", str(base.with_suffix(".feat")))
+                features = base.with_suffix(".feat")
+                features.write_text("".join("%d %d\n" % edge for edge in model.features), encoding="ascii")
+                options += ("--features", str(features))
             model = path
         vtp, report = base.with_suffix(".vtp"), base.with_suffix(".json")
         subprocess.run([self.program, str(model), "--quiet", "--vtp", str(vtp), f"--streamlines={spacing}", "--report",

@@ -40,7 +40,8 @@ def sector(degrees, rings):
     result.add_row([(0.0, 0.0)])
     for i in range(1, rings + 1):
         count = max(1, round(angle * i)) + (1 if i == 1 else 0)
-        row = [(i / rings * math.cos(angle * k / count), i / rings * math.sin(angle * k / count)) for k in range(count + 1)]
+        turns = [angle * k / count for k in range(count + 1)]
+        row = [(i / rings * math.cos(turn), i / rings * math.sin(turn)) for turn in turns]
         if degrees == 360:
             result.features.append((result.last[0], len(result.points)))
             row.pop()
@@ -60,7 +61,8 @@ def polygon(corners, rings):
     for i in range(1, rings + 1):
         count = corners * max(1, round(6 * i / corners))
         angles = [2 * math.pi * k / count for k in range(count)]
-        result.add_row([(i / rings * radius(a) * math.cos(a), i / rings * radius(a) * math.sin(a)) for a in angles], True)
+        lengths = [i / rings * radius(a) for a in angles]
+        result.add_row([(r * math.cos(a), r * math.sin(a)) for r, a in zip(lengths, angles)], True)
     return result
 
 
@@ -81,8 +83,8 @@ def crescent(degrees, rows):
         radius = 1 / math.sin(slope)
         return lambda x: math.sqrt(radius ** 2 - x ** 2) - radius * math.cos(slope)
     outer = math.radians(62)
-    return strip([-math.cos(math.pi * k / rows) for k in range(rows + 1)], arc(outer - math.radians(degrees)), arc(outer),
-                 1.6 / rows)
+    places = [-math.cos(math.pi * k / rows) for k in range(rows + 1)]
+    return strip(places, arc(outer - math.radians(degrees)), arc(outer), 1.6 / rows)
 
 
 def astroid(rows):

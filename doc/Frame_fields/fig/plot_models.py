@@ -54,6 +54,7 @@ def plot_models(computer, picture):
     right.set_xlabel("faces of the model")
     right.set_ylabel("seconds per 1000 faces")
     figure.savefig(picture, metadata={"Date": None})
-    print(f"{len(found)} models, {sum(sizes)} faces, {sum(r['unmeshable_before'] for r in found)} unmeshable before, "
-          f"{sum(r['unmeshable_after'] for r in found)} after, {sum(r['seconds']['total'] for r in found):.2f} seconds, "
+    before, after = (sum(report[key] for report in found) for key in ("unmeshable_before", "unmeshable_after"))
+    seconds = sum(report["seconds"]["total"] for report in found)
+    print(f"{len(found)} models, {sum(sizes)} faces, {before} unmeshable before, {after} after, {seconds:.2f} seconds, "
           f"median {sorted(times)[len(times) // 2]:.5f} seconds per 1000 faces")
