@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 matplotlib.rcParams["svg.hashsalt"] = "frame fields"
 BEFORE, AFTER = "#db5c0a", "#00809e"
-BINS = [(0, 0), (1, 1), (2, 3), (4, 7), (8, 15), (16, 31), (32, 127), (128, 10**9)]
+BINS = [(0, 0), (1, 1), (2, 3), (4, 7), (8, 15), (16, 31), (32, 63), (64, 127), (128, 10**9)]
 NUMBER_OF_RUNS = 3
 
 

@@ -35,7 +35,6 @@ inline Plane_vector operator-(const Plane_vector& u) { return { -u.x, -u.y }; }
 inline Plane_vector operator*(const double s, const Plane_vector& u) { return { s * u.x, s * u.y }; }
 inline double dot(const Plane_vector& u, const Plane_vector& v) { return u.x * v.x + u.y * v.y; }
 inline double cross(const Plane_vector& u, const Plane_vector& v) { return u.x * v.y - u.y * v.x; }
-inline double norm(const Plane_vector& u) { return std::sqrt(dot(u, u)); }
 inline Plane_vector quarter_turn(const Plane_vector& u) { return { -u.y, u.x }; }
 
 // The angle from u counter-clockwise to v, between -pi and pi.
@@ -103,7 +102,8 @@ public:
 
   double distance(const int face, const Corner_weights& a, const Corner_weights& b) const
   {
-    return norm(place(face, b) - place(face, a));
+    const Plane_vector v = place(face, b) - place(face, a);
+    return std::hypot(v.x, v.y);
   }
 
   // A direction, seen from the face on the other side of an unconstrained halfedge, when both are laid flat.
@@ -124,7 +124,7 @@ public:
     const Plane_vector v = p - source(halfedge);
     const double along = dot(direction(halfedge), v);
     const double beyond = along - (std::min)(length(halfedge), (std::max)(0., along));
-    return norm({ beyond, cross(direction(halfedge), v) });
+    return std::hypot(beyond, cross(direction(halfedge), v));
   }
 
   double area(const int face) const

@@ -111,7 +111,7 @@ private:
         part != parts.end() && part->offset < offset + distance; ++part)
     {
       const double nearest = (std::min)(part->end, (std::max)(part->begin, along));
-      if(norm({ nearest - along, part->offset - offset }) < distance
+      if(std::hypot(nearest - along, part->offset - offset) < distance
          && (part->line != place.line || is_beside_earlier_part(*part, along, distance, place.arc)))
         return true;
     }
