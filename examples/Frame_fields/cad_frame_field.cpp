@@ -9,6 +9,7 @@
 #include "cad_frame_field/feature_edges.h"
 #include "cad_frame_field/print_table.h"
 #include "cad_frame_field/sectors.h"
+#include "cad_frame_field/streamlines.h"
 #include "cad_frame_field/write_file.h"
 #include "cad_frame_field/write_ply.h"
 #include "cad_frame_field/write_report.h"
@@ -86,7 +87,8 @@ void write_meshes(const Options& options, Mesh& mesh, const Feature_map is_featu
                { write_ply(out, mesh, is_feature, field, options.writes_ascii); });
   if(options.vtp)
     write_file(*options.vtp, [&](std::ostream& out)
-               { write_vtp(out, vtp_content(mesh, is_feature, all_sectors, field)); });
+               { write_vtp(out, vtp_content(mesh, is_feature, all_sectors, field,
+                                            streamlines(mesh, is_feature, field, options))); });
 }
 
 Summary run(const Options& options)

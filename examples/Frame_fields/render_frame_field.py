@@ -6,7 +6,8 @@
     xvfb-run -a /usr/bin/python3 render_frame_field.py FIELD.vtp OUT.png --focus-sharpest
 
 Needs Debian's python3-vtk9 and python3-numpy, and xvfb where there is no display. z is up. The second
-viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest.
+viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest. The field is drawn as
+streamlines if the file has some (cad_frame_field --streamlines), and as crosses otherwise.
 """
 
 import argparse
@@ -52,7 +53,7 @@ class Field:
 
         self.points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
         self.verts = cells(data.GetVerts(), 1)[:, 0]
-        self.features = cells(data.GetLines(), 2)
+        self.features, self.streamlines = self.lines_of(data)
         self.triangles = cells(data.GetPolys(), 3)
 
         def of_verts(name):
@@ -70,6 +71,18 @@ class Field:
         self.diagonal = np.linalg.norm(np.ptp(self.points, axis=0))
         self.neighbours = self.find_neighbours()
         self.give_branches_consistent_names()
+
+    @staticmethod
+    def lines_of(data):
+        """Feature edges as pairs of points, and for both branch pairs a list of streamlines."""
+        ends = vtk_to_numpy(data.GetLines().GetOffsetsArray())
+        lines = np.split(vtk_to_numpy(data.GetLines().GetConnectivityArray()), ends[1:-1])
+        kinds = data.GetCellData().GetArray("streamline")
+        first = data.GetNumberOfVerts()
+        kinds = vtk_to_numpy(kinds)[first:first + len(ends) - 1] if kinds else np.zeros(len(ends) - 1)
+        features = [line for line, kind in zip(lines, kinds) if kind == 0]
+        return (np.array(features, dtype=np.int64).reshape(-1, 2),
+                [[line for line, kind in zip(lines, kinds) if kind == pair] for pair in (1, 2)])
 
     def find_neighbours(self):
         features = {frozenset(edge) for edge in self.features.tolist()}
@@ -214,12 +227,15 @@ def view_of_sharpest_corner(field, surface, main_view, aspect):
 # ---------------------------------------------------------------- what to draw
 
 def poly_data(points, lines=None, polygons=None):
+    """Lines and polygons are lists of point numbers each, of any lengths."""
     data = vtk.vtkPolyData()
     data.SetPoints(configured(vtk.vtkPoints(), Data=numpy_to_vtk(np.ascontiguousarray(points), deep=True)))
     for cells, set_cells in ((lines, data.SetLines), (polygons, data.SetPolys)):
         if cells is not None:
+            ends = np.cumsum([0] + [len(cell) for cell in cells])
             array = vtk.vtkCellArray()
-            array.SetData(cells.shape[1], numpy_to_vtkIdTypeArray(cells.astype(np.int64).ravel(), deep=True))
+            array.SetData(*(numpy_to_vtkIdTypeArray(numbers.astype(np.int64), deep=True)
+                            for numbers in (ends, np.concatenate(cells))))
             set_cells(array)
     return data
 
@@ -294,17 +310,24 @@ def crosses(field, view, spacing):
                   Ambient=0.8, Diffuse=0.3) for branch, colour in ((field.u, BRANCH_U), (field.v, BRANCH_V))]
 
 
+def streamlines(field, radius):
+    """Of both branch pairs, a little darker where the surface turns away."""
+    return [tubes(field.points, lines, radius, colour, Ambient=0.8, Diffuse=0.3)
+            for lines, colour in zip(field.streamlines, (BRANCH_U, BRANCH_V)) if lines]
+
+
 def vert_groups(field):
     """(label, colour, relative size of its sphere or None for a ring, positions) of every kind of marked sector."""
     positions = field.points[field.verts]
     unmeshable = ~field.interior & (field.index >= 2)
     return [("sharp corner", CORNER, None, positions[field.sharp]),
-            ("singularity, index > 0", POSITIVE, 1.0, positions[field.interior & (field.index > 0)]),
+            ("singularity, index > 0", POSITIVE, 1.0, positions[~field.sharp & ~unmeshable & (field.index > 0)]),
             ("singularity, index < 0", NEGATIVE, 1.0, positions[field.interior & (field.index < 0)]),
             ("unmeshable corner (index \u2265 1/2)", UNMESHABLE, 1.3, positions[unmeshable])]
 
 
-def scene(field, surface, view, spacing):
+def scene(field, surface, view, spacing, line_width=0.22, ball_size=1.5):
+    """The radii of streamlines and singularities are given in percent of half the height of the view."""
     unit_size = view.reach / 100
     renderer = configured(vtk.vtkRenderer(), Background=(1, 1, 1))
     for position, intensity in (((-0.35, 0.6, 1.0), 0.7), ((0.9, -0.1, 0.5), 0.25)):
@@ -314,12 +337,14 @@ def scene(field, surface, view, spacing):
     renderer.AddActor(shaded_surface(surface))
     if len(field.features):
         renderer.AddActor(tubes(field.points, field.features, 0.35 * unit_size, FEATURE))
-    for branch in crosses(field, view, spacing):
+    has_streamlines = any(field.streamlines)
+    for branch in streamlines(field, line_width * unit_size) if has_streamlines else crosses(field, view, spacing):
         renderer.AddActor(branch)
     for _, colour, size, positions in vert_groups(field):
         if len(positions):
-            renderer.AddActor(spheres(positions, 1.5 * size * unit_size, colour) if size else
-                              rings(positions, view, 1.1 * unit_size, 1.6 * unit_size, colour))
+            radius = ball_size * unit_size
+            renderer.AddActor(spheres(positions, size * radius, colour) if size else
+                              rings(positions, view, 0.75 * radius, 1.05 * radius, colour))
     view.apply_to(renderer, 3 * field.diagonal)
     return renderer
 
@@ -342,7 +367,8 @@ def swatch(x, y, size, colour):
 
 
 def add_legend(renderer, field, size):
-    entries = [("feature edge", FEATURE), ("cross, branches \u00b1u", BRANCH_U), ("cross, branches \u00b1v", BRANCH_V)]
+    kind = "streamlines" if any(field.streamlines) else "crosses"
+    entries = [("feature edge", FEATURE), (f"{kind}, branches \u00b1u", BRANCH_U), (f"{kind}, branches \u00b1v", BRANCH_V)]
     entries += [(f"{label}: {len(positions)}", colour) for label, colour, _, positions in vert_groups(field)]
     for line, (label, colour) in enumerate(reversed(entries)):
         y = size * (1 + 1.6 * line)

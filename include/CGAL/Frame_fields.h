@@ -22,6 +22,7 @@
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
 #include <CGAL/Frame_fields/frame_field_quality.h>
@@ -35,6 +36,7 @@
 #include <CGAL/Frame_fields/singularity_indices.h>
 #include <CGAL/Frame_fields/split_chords.h>
 #include <CGAL/Frame_fields/split_overconstrained_faces.h>
+#include <CGAL/Frame_fields/trace_streamlines.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>

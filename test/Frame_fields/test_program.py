@@ -860,6 +860,37 @@ class FlangeField(ProgramTest):
         self.assertEqual(sorted(zip(arrays["Verts", "connectivity"], of_verts("index"), of_verts("sharp_corner"),
                                     of_verts("interior"))), sorted(expected))
 
+    def test_streamlines_in_the_paraview_file(self):
+        self.succeed(self.write_cube(), "--vtp", "plain.vtp")
+        self.succeed(self.write_cube(), "--vtp", "out.vtp", "--streamlines=0.25")
+        plain, plain_arrays = read_vtp((self.folder / "plain.vtp").read_bytes())
+        piece, arrays = read_vtp((self.folder / "out.vtp").read_bytes())
+        self.assertEqual(set(plain_arrays["CellData", "streamline"]), {0})
+
+        points, number_of_points = arrays["Points", "points"], plain["NumberOfPoints"]
+        self.assertEqual(points[:number_of_points], plain_arrays["Points", "points"])
+        ends = arrays["Lines", "offsets"]
+        lines = [arrays["Lines", "connectivity"][start:end] for start, end in zip((0,) + ends, ends)]
+        first_line = piece["NumberOfVerts"]
+        kinds = arrays["CellData", "streamline"]
+        self.assertEqual(len(kinds), sum(piece[f"NumberOf{kind}"] for kind in ("Verts", "Lines", "Polys")))
+        streamlines = [line for line, kind in zip(lines, kinds[first_line:]) if kind]
+        self.assertEqual(len(lines) - len(streamlines), plain["NumberOfLines"])
+        self.assertEqual({kind for kind in kinds}, {0, 1, 2})
+        self.assertEqual([point for line in streamlines for point in line], list(range(number_of_points, len(points))))
+        # Three lines of each pair on each side of the cube, straight from edge to edge, 1/4 apart.
+        self.assertEqual(len(streamlines), 6 * 2 * 3)
+        for line in streamlines:
+            first, last = points[line[0]], points[line[-1]]
+            self.assertAlmostEqual(math.dist(first, last), 1, delta=1e-9)
+            self.assertEqual(sorted(round(4 * abs(a - b), 6) for a, b in zip(first, last)), [0, 0, 4])
+            self.assertTrue(any(abs(4 * x - k) < 1e-6 for x in first for k in (1, 2, 3)))
+
+    def test_streamlines_need_a_file_and_a_positive_spacing(self):
+        for arguments in (["--streamlines"], ["--streamlines=-1", "--vtp", "out.vtp"],
+                          ["--streamlines=nan", "--vtp", "out.vtp"]):
+            self.assert_fails(BAD_USAGE, "--streamlines", self.write_cube(), *arguments)
+
 
 class Repair(ProgramTest):
     def assert_warnings(self, report, **numbers):

@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+import planar_models
+
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 INK, GRID, FEATURE, BRANCHES = "#222222", "#8a9bb0", "#111111", ("#1f6fb2", "#c0392b")
 TINTS = ("#dbe8f4", "#fbe3d6", "#dff0d8")
@@ -120,28 +122,6 @@ def draw_sectors():
     picture.write("sectors.svg")
 
 
-def write_wedge(file_name, degrees, rings):
-    """Writes a circular sector as a mesh of triangles of nearly equal size."""
-    angle = math.radians(degrees)
-    points, numbers, faces = [(0.0, 0.0)], [[0]], []
-    for i in range(1, rings + 1):
-        count = max(1, round(angle * i)) + (1 if i == 1 else 0)
-        numbers.append(list(range(len(points), len(points) + count + 1)))
-        points += [(i * math.cos(angle * k / count) / rings, i * math.sin(angle * k / count) / rings)
-                   for k in range(count + 1)]
-    for inner, outer in zip(numbers, numbers[1:]):
-        i = j = 0
-        while i + 1 < len(inner) or j + 1 < len(outer):
-            step_outer = i + 1 == len(inner) or (j + 1 < len(outer) and
-                                                 (j + 0.5) * (len(inner) - 1) <= (i + 0.5) * (len(outer) - 1))
-            faces.append((inner[i], outer[j], outer[j + 1]) if step_outer else (inner[i], outer[j], inner[i + 1]))
-            j, i = (j + 1, i) if step_outer else (j, i + 1)
-    with open(file_name, "w", encoding="ascii") as file:
-        file.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
-        file.writelines("%.17g %.17g 0\n" % p for p in points)
-        file.writelines("3 %d %d %d\n" % f for f in faces)
-
-
 def read_ply(file_name):
     """Returns the elements of a PLY file in text form: for each name a list of dictionaries."""
     with open(file_name, encoding="ascii") as file:
@@ -206,7 +186,7 @@ def draw_field(picture, field, origin, scale, cross):
 def draw_computed_fields(program):
     with tempfile.TemporaryDirectory() as folder:
         model = os.path.join(folder, "wedge.off")
-        write_wedge(model, 30, 18)
+        planar_models.sector(30, 18).write(model)
         fields = [compute(program, model, options)
                   for options in (["--support", "none", "--no-repair", "--no-relaxation"], [])]
     picture = Picture(760, 225)

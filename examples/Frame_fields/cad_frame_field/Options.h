@@ -36,6 +36,7 @@ struct Options
   bool computes_baseline;
 
   std::optional<std::string> ply, vtp, report;
+  std::optional<double> streamline_spacing; // 0 for the default
   bool writes_ascii;
   bool is_quiet, is_verbose;
 };
@@ -106,6 +107,8 @@ inline boost::program_options::options_description option_descriptions()
     ("output,o", file(), "write the mesh and the field as PLY")
     ("ascii", "write the PLY file as text")
     ("vtp", file(), "write faces, features and singular sectors as VTK PolyData, for ParaView")
+    ("streamlines", po::value<double>()->value_name("SPACING")->implicit_value(0, "default"),
+     "write streamlines to the VTP file as well, at this distance (a length of the model) or a default one")
     ("report", file(), "write the numbers as JSON")
     ("quiet", "print nothing but warnings and errors")
     ("verbose", "print figures of the quality of the field, too")
@@ -147,6 +150,16 @@ inline std::optional<std::string> file_option(const boost::program_options::vari
   if(variables[name].as<std::string>().empty())
     throw Failure(BAD_USAGE, "--" + name + " needs the name of a file");
   return variables[name].as<std::string>();
+}
+
+inline std::optional<double> streamline_option(const boost::program_options::variables_map& variables)
+{
+  if(!variables.count("streamlines"))
+    return std::nullopt;
+  const double spacing = variables["streamlines"].as<double>();
+  if(!variables.count("vtp") || !(spacing >= 0 && std::isfinite(spacing)))
+    throw Failure(BAD_USAGE, "--streamlines goes with --vtp, and SPACING must be a positive number");
+  return spacing;
 }
 
 // The same for all ways to write a path.
@@ -221,6 +234,7 @@ try
   options.ply = file_option(variables, "output");
   options.vtp = file_option(variables, "vtp");
   options.report = file_option(variables, "report");
+  options.streamline_spacing = streamline_option(variables);
   options.writes_ascii = variables.count("ascii");
   options.is_quiet = variables.count("quiet");
   options.is_verbose = variables.count("verbose");

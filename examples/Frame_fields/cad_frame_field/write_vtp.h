@@ -5,6 +5,7 @@
 #include "Field.h"
 #include "Mesh.h"
 #include "sectors.h"
+#include "streamlines.h"
 
 #include <boost/predef/other/endian.h>
 
@@ -15,21 +16,13 @@
 #include <string>
 #include <vector>
 
-// Cells of one kind: `size` vertices each.
+// Cells of one kind: the vertices of each, one cell after the other, and where they end.
 struct Vtp_cells
 {
-  std::size_t size;
-  std::vector<std::int64_t> vertices;
+  std::vector<std::int64_t> vertices, ends;
 
-  std::size_t number() const { return vertices.size() / size; }
-
-  std::vector<std::int64_t> ends() const
-  {
-    std::vector<std::int64_t> result;
-    for(std::size_t i = 1; i <= number(); ++i)
-      result.push_back(i * size);
-    return result;
-  }
+  std::size_t number() const { return ends.size(); }
+  void end_cell() { ends.push_back(static_cast<std::int64_t>(vertices.size())); }
 };
 
 // What the file shows. VTK numbers cells with the vertices first, then the lines, then the polygons, and every cell has
@@ -37,9 +30,10 @@ struct Vtp_cells
 struct Vtp_content
 {
   std::vector<double> points;
-  Vtp_cells verts{ 1, {} }, lines{ 2, {} }, polys{ 3, {} };
+  Vtp_cells verts, lines, polys;
   std::vector<double> u, v, alpha, rho;
   std::vector<std::int32_t> index, sharp_corner, interior;
+  std::vector<std::int32_t> streamline; // 1 or 2 on streamlines: the branch pair
 
   void add_attributes(const std::size_t number_of_cells)
   {
@@ -48,7 +42,7 @@ struct Vtp_content
     v.resize(3 * number, 0);
     for(std::vector<double>* const attribute : { &alpha, &rho })
       attribute->resize(number, 0);
-    for(std::vector<std::int32_t>* const attribute : { &index, &sharp_corner, &interior })
+    for(std::vector<std::int32_t>* const attribute : { &index, &sharp_corner, &interior, &streamline })
       attribute->resize(number, 0);
   }
 };
@@ -63,6 +57,7 @@ inline void add_singular_sectors(const std::vector<Sector>& sectors, const Mesh&
     if(field.index[sector.halfedge] == 0 && !is_sharp)
       continue;
     content.verts.vertices.push_back(mesh.target(sector.halfedge).idx());
+    content.verts.end_cell();
     content.add_attributes(1);
     content.index.back() = field.index[sector.halfedge];
     content.sharp_corner.back() = is_sharp;
@@ -74,8 +69,11 @@ inline void add_features(const Mesh& mesh, const Feature_map is_feature, Vtp_con
 {
   for(const Edge e : mesh.edges())
     if(is_feature[e])
+    {
       for(const int end : { 0, 1 })
         content.lines.vertices.push_back(mesh.vertex(e, end).idx());
+      content.lines.end_cell();
+    }
   content.add_attributes(content.lines.number());
 }
 
@@ -87,6 +85,7 @@ inline void add_faces(const Mesh& mesh, const Field& field, Vtp_content& content
   {
     for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
       content.polys.vertices.push_back(v.idx());
+    content.polys.end_cell();
     const auto vectors = CGAL::Frame_fields::frame_vectors(mesh, f, field.alpha[f], field.rho[f]);
     for(const int coordinate : { 0, 1, 2 })
     {
@@ -99,8 +98,24 @@ inline void add_faces(const Mesh& mesh, const Field& field, Vtp_content& content
   }
 }
 
+inline void add_streamlines(const std::vector<Streamline>& streamlines, Vtp_content& content)
+{
+  for(const Streamline& streamline : streamlines)
+  {
+    for(const Point& p : streamline.points)
+    {
+      content.lines.vertices.push_back(static_cast<std::int64_t>(content.points.size() / 3));
+      for(const int coordinate : { 0, 1, 2 })
+        content.points.push_back(p[coordinate]);
+    }
+    content.lines.end_cell();
+    content.add_attributes(1);
+    content.streamline.back() = 1 + streamline.branch_pair;
+  }
+}
+
 inline Vtp_content vtp_content(const Mesh& mesh, const Feature_map is_feature, const std::vector<Sector>& sectors,
-                               const Field& field)
+                               const Field& field, const std::vector<Streamline>& streamlines)
 {
   Vtp_content content;
   for(const Vertex v : mesh.vertices())
@@ -108,13 +123,14 @@ inline Vtp_content vtp_content(const Mesh& mesh, const Feature_map is_feature, c
       content.points.push_back(mesh.point(v)[coordinate]);
   add_singular_sectors(sectors, mesh, field, content);
   add_features(mesh, is_feature, content);
+  add_streamlines(streamlines, content);
   add_faces(mesh, field, content);
   return content;
 }
 
 inline std::string cells_element(const std::string& kind, const Vtp_cells& cells, Appended_arrays& arrays)
 {
-  return "<" + kind + ">\n" + arrays.add("connectivity", cells.vertices) + arrays.add("offsets", cells.ends())
+  return "<" + kind + ">\n" + arrays.add("connectivity", cells.vertices) + arrays.add("offsets", cells.ends)
          + "</" + kind + ">\n";
 }
 
@@ -138,6 +154,7 @@ inline void write_vtp(std::ostream& out, const Vtp_content& content)
       << arrays.add("index", content.index)
       << arrays.add("sharp_corner", content.sharp_corner)
       << arrays.add("interior", content.interior)
+      << arrays.add("streamline", content.streamline)
       << "</CellData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   out.write(arrays.data().data(), static_cast<std::streamsize>(arrays.data().size()));
   out << "\n</AppendedData>\n</VTKFile>\n";

@@ -109,11 +109,7 @@ Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rh
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
-    result = internal::read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
-  if(result)
-    result = internal::read_from_faces(cut_mesh, "rho", rho_map, rho);
-  if(result)
-    result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
+    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
   if(!result)
     return result;
   const std::vector<std::array<double, 2> > rotations =

@@ -190,6 +190,20 @@ Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not
   return {};
 }
 
+// Reads a field as it is.
+template <typename CutMesh, typename AlphaMap, typename RhoMap, typename MatchingMap>
+Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+                  const MatchingMap matching_map, std::vector<double>& alpha, std::vector<double>& rho,
+                  std::vector<int>& matching)
+{
+  Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
+  if(result)
+    result = read_skewness(cut_mesh, rho_map, rho);
+  if(result)
+    result = read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
+  return result;
+}
+
 // Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
 // field must be aligned there.
 template <typename CutMesh, typename AlphaMap, typename RhoMap>

@@ -30,3 +30,6 @@ CGAL_add_named_parameter(unmeshable_sector_output_iterator_t, unmeshable_sector_
 CGAL_add_named_parameter(halfedge_rotation_t, halfedge_rotation, rotation_map)
 CGAL_add_named_parameter(statistics_t, statistics, statistics)
 CGAL_add_named_parameter(concurrency_t, concurrency, concurrency_tag)
+CGAL_add_named_parameter(streamline_spacing_t, streamline_spacing, streamline_spacing)
+CGAL_add_named_parameter(streamline_separation_t, streamline_separation, streamline_separation)
+CGAL_add_named_parameter(maximum_streamline_length_t, maximum_streamline_length, maximum_streamline_length)
