@@ -12,13 +12,16 @@ import pathlib
 import pty
 import re
 import resource
+import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
-DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED = range(4)
+DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED, MODEL_FAILED = range(5)
 QUARTER_TURN = math.pi / 2
 MAXIMUM_SKEWNESS = 0.45 * math.pi
 
@@ -387,11 +390,21 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
-        for option in ("MODEL", "--features", "--feature-angle", "--support", "none", "local", "rings:K", "component",
-                       "--sharp-corner-bound", "--no-repair", "--no-relaxation", "--no-baseline", "-o", "--ascii",
-                       "--vtp", "--report", "--quiet", "--help", "--version", "Exit codes"):
+        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
+                       "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
+                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
+                       "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp", "--field",
+                       "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose", "--help",
+                       "--version", "Exit codes"):
             with self.subTest(option):
                 self.assertIn(option, text)
+                self.assertIn(option.lower(), manual.lower())
+
+    def test_manual_names_every_option_of_the_help(self):
+        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        for option in re.findall(r"^  .*?(--[a-z-]+)", self.succeed("--help").stdout, re.MULTILINE):
+            self.assertIn(option, manual)
 
     def test_version_is_that_of_the_project(self):
         cmake = (paths.sources / "CMakeLists.txt").read_text()
@@ -412,6 +425,18 @@ class Usage(ProgramTest):
                 ("--sharp-corner-bound", "cube.off --sharp-corner-bound -1"),
                 ("--feature-angle", "cube.off --feature-angle sharp"),
                 ("--feature-angle", "cube.off --feature-angle 181"),
+                ("--weak-angle", "cube.off --weak-angle nan"), ("--weak-angle", "cube.off --weak-angle 41"),
+                ("--min-chain-length", "cube.off --min-chain-length -1"),
+                ("--min-chain-length", "cube.off --min-chain-length nan"),
+                ("--weak-angle", "cube.off --features model.feat --weak-angle 30"),
+                ("--close-gaps", "cube.off --features model.feat --close-gaps"),
+                ("--min-chain-length", "cube.off --features model.feat --min-chain-length 3"),
+                ("--threads", "cube.off --threads 0"), ("--threads", "cube.off --threads many"),
+                (".rosy", "cube.off --field out.txt"), (".rosy", "cube.off --compare model.feat"),
+                ("--out-dir", "--batch list"), ("--batch", "cube.off --jobs 2"), ("--batch", "cube.off --timeout 2"),
+                ("MODEL", "cube.off --batch list --out-dir out"), ("--report", "--batch list --out-dir out --report r"),
+                ("--jobs", "--batch list --out-dir out --jobs 0"), ("--timeout", "--batch list --out-dir out --timeout 0"),
+                ("{}", "--batch list --out-dir out -o out.ply"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
                 ("--output", "cube.off -o"), ("--output", "cube.off -o a.ply -o b.ply"),
                 ("--quiet", "cube.off --quiet=1")):
@@ -423,7 +448,8 @@ class Usage(ProgramTest):
     def test_files_that_are_the_same_under_any_name(self):
         self.write_cube()
         self.write_features(CUBE_EDGES)
-        for arguments in ("-o out --vtp out", "-o out --report ./out", "--report cube.off", "--report ./cube.off",
+        for arguments in ("-o out --vtp out", "-o out --report ./out", "--field a.rosy --field a.rosy",
+                          "--write-features cube.off", "--report cube.off", "--report ./cube.off",
                           "--features model.feat --vtp model.feat"):
             with self.subTest(arguments):
                 self.assert_fails(BAD_USAGE, arguments.split("/")[-1].split()[-1], "cube.off", *arguments.split())
@@ -442,6 +468,7 @@ class Usage(ProgramTest):
             self.assertEqual(list(map(int, numbers)), list(report["index_histogram"][key].values()), row)
         for row, key in (("orthogonal energy", "energy_orthogonal"), ("relaxed energy", "energy_relaxed")):
             self.assertAlmostEqual(float(rows[row]) / report[key], 1, delta=1e-5, msg=row)
+        self.assertEqual(int(rows["dangling ends"]), len(report["dangling_ends"]))
         self.assertEqual(len([line for line in table.splitlines() if line.startswith("  ")]), 5, "stages")
 
     def test_quiet_prints_nothing(self):
@@ -534,6 +561,199 @@ class InvalidInput(ProgramTest):
                           "--vtp", "out.vtp", "--report", "out.json")
 
 
+def cube_text(scale=1.0):
+    return off_text([tuple(scale * coordinate for coordinate in point) for point in CUBE_POINTS], CUBE_FACES)
+
+
+class HostileInput(ProgramTest):
+    """Whatever the input: a documented exit code, one line for an error, no partial output, inputs as they were."""
+
+    OUTPUTS = ("out.ply", "out.vtp", "out.json", "out.rawfield")
+
+    def run_with_outputs(self, *arguments):
+        before = self.content_of_folder()
+        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--report", "out.json",
+                                     "--field", "out.rawfield", "--quiet")
+        after = self.content_of_folder()
+        self.assertEqual({name: after[name] for name in before}, before, "inputs are changed")
+        expected = set(before) | (set(self.OUTPUTS) if completed.returncode == DONE else set())
+        self.assertEqual(set(after), expected)
+        for name in set(after) - set(before):
+            os.remove(self.folder / name)
+        if completed.returncode == DONE:
+            field = Field(after["out.ply"], json.loads(after["out.json"]))
+            self.assertTrue(all(map(math.isfinite, field.alpha + field.rho)))
+        else:
+            self.assertIn(completed.returncode, (BAD_FILE, NOT_SOLVED))
+            self.assertRegex(completed.stderr.splitlines()[-1], r"\Acad_frame_field: error: [^:]+: .")
+        return completed
+
+    def test_coordinates_of_any_size(self):
+        for scale in (1e300, 1e150, 1e-150, 1e-300):
+            with self.subTest(scale):
+                report = self.report(self.write("cube.off", cube_text(scale)))
+                self.assertEqual(counts(report), CUBE_COUNTS)
+                self.assertEqual(self.run_with_outputs("cube.off").returncode, DONE)
+
+    def test_sizes_that_do_not_go_together(self):
+        for name, point in (("far", (1e300, 1e300, 1e300)), ("near", (1e-300, 0, 0)), ("largest", (1.7e308, -1.7e308, 0)),
+                            ("smallest", (5e-324, 0, 0))):
+            with self.subTest(name):
+                points = [*CUBE_POINTS[:6], point, CUBE_POINTS[7]]
+                self.run_with_outputs(self.write("cube.off", off_text(points, CUBE_FACES)))
+
+    def test_faces_without_area(self):
+        middle = [(0.5, 0, 0), (0.5, 0, 1)]
+        for name, points, faces in (
+                ("collinear", CUBE_POINTS + middle[:1], [*CUBE_FACES, (0, 1, 8)]),
+                ("cap", CUBE_POINTS + middle[:1], [f for f in CUBE_FACES if set(f) != {0, 1, 5}]
+                 + [(0, 8, 5), (8, 1, 5), (0, 1, 8)]),
+                ("zero length", CUBE_POINTS + [CUBE_POINTS[0]], [*CUBE_FACES, (0, 8, 1)]),
+                ("all in a line", [(k, 0, 0) for k in range(4)], [(0, 1, 2), (1, 2, 3)]),
+                ("one point", [(1, 2, 3)] * 3, [(0, 1, 2)]),
+                ("needle", [(0, 0, 0), (1, 0, 0), (1, 1e-200, 0)], [(0, 1, 2)])):
+            with self.subTest(name):
+                self.run_with_outputs(self.write("model.off", off_text(points, faces)))
+
+    def test_surfaces_that_are_no_manifolds(self):
+        strip = [(math.cos(a) * (2 + w * math.cos(a / 2)), math.sin(a) * (2 + w * math.cos(a / 2)), w * math.sin(a / 2))
+                 for a in (2 * math.pi * k / 12 for k in range(12)) for w in (-0.5, 0.5)]
+        quads = [(2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2) for k in range(11)] + [(22, 23, 0, 1)]
+        moebius = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+        wing = [(0, 0, 2), (0, 2, 0)]
+        for name, points, faces in (
+                ("Moebius strip", strip, moebius), ("Moebius strip of quadrangles", strip, quads),
+                ("edge of three faces", CUBE_POINTS + wing, [*CUBE_FACES, (0, 1, 8)]),
+                ("edge of four faces", CUBE_POINTS + wing, [*CUBE_FACES, (0, 1, 8), (1, 0, 9)]),
+                ("vertex of two fans", CUBE_POINTS + [(-1, 0, 0), (0, -1, -1)], [*CUBE_FACES, (0, 8, 9)]),
+                ("isolated vertices", [*CUBE_POINTS, (9, 9, 9), (8, 8, 8)], CUBE_FACES),
+                ("isolated vertex that is no number", [*CUBE_POINTS, (math.nan, 0, 0)], CUBE_FACES),
+                ("duplicate faces", CUBE_POINTS, CUBE_FACES * 2),
+                ("opposite faces", CUBE_POINTS, CUBE_FACES + [face[::-1] for face in CUBE_FACES]),
+                ("face that touches itself", CUBE_POINTS, [*CUBE_SQUARES, (0, 1, 0, 3)]),
+                ("face of two vertices", CUBE_POINTS, [*CUBE_FACES, (0, 1)]),
+                ("concave polygon", [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.1, 0), (0, 2, 0)], [(0, 1, 2, 3, 4)]),
+                ("polygon that crosses itself", [(0, 0, 0), (2, 2, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2, 3)]),
+                ("twisted quadrangle", [(0, 0, 0), (1, 0, 1), (1, 1, 0), (0, 1, 1)], [(0, 1, 2, 3)])):
+            with self.subTest(name):
+                self.run_with_outputs(self.write("model.off", off_text(points, faces)))
+
+    def test_files_cut_at_any_byte(self):
+        for name, text in (("model.off", off_text), ("model.obj", obj_text), ("model.ply", ply_text),
+                           ("model.stl", stl_text)):
+            content = text(CUBE_POINTS, CUBE_FACES)
+            for end in range(0, len(content), 37):
+                with self.subTest(name, end=end):
+                    self.run_with_outputs(self.write(name, content[:end]))
+
+    def test_folders_without_permission(self):
+        self.write_cube()
+        self.assert_fails(BAD_FILE, "/proc/out.ply", "cube.off", "-o", "/proc/out.ply")
+        if os.geteuid() == 0:
+            self.skipTest("nothing is forbidden to root")
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.assert_fails(BAD_FILE, "no permission", "cube.off", "-o", "locked/out.ply")
+        os.chmod(self.folder / "cube.off", 0)
+        self.assert_fails(BAD_FILE, "permissions", "cube.off")
+
+    def test_190_of_200_models_succeed_and_each_of_10_broken_ones_tells_what_it_is(self):
+        broken = {
+            "missing.off": None, "empty.off": "", "nan.off": cube_text().replace("1 0 0", "1 nan 0"),
+            "faceless.off": off_text(CUBE_POINTS, []), "index.off": off_text(CUBE_POINTS, [(0, 1, 8)]),
+            "cut.off": cube_text()[:100], "kind.xyz": cube_text(), "noply.ply": cube_text(),
+            "degenerate.off": off_text(CUBE_POINTS, [(0, 0, 1)]), "noobj.obj": "f 1 2 0\n"}
+        for name, text in broken.items():
+            if text is not None:
+                self.write(name, text)
+        names = list(broken)
+        for k in range(190):
+            names.insert(20 * k // 19, self.write(f"cube_{k}.off", cube_text(1 + k)))
+        codes, messages = collections.Counter(), {}
+        for name in names:
+            completed = self.run_program(name, "--quiet", "--no-baseline", "-o", "out.ply")
+            codes[completed.returncode] += 1
+            if completed.returncode != DONE:
+                messages[name] = completed.stderr.splitlines()[-1]
+        self.assertEqual(codes, {DONE: 190, BAD_FILE: 10})
+        self.assertEqual(set(messages), set(broken))
+        for name, message in messages.items():
+            self.assertTrue(message.startswith(f"cad_frame_field: error: {name}: "), message)
+        self.assertEqual(len({message.split(": ", 3)[3] for message in messages.values()}), 10, messages)
+
+
+class Signals(ProgramTest):
+    def start(self, *arguments, **settings):
+        return subprocess.Popen([paths.program, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **settings)
+
+    def grid(self, number):
+        """A fine square grid with a height, as OFF."""
+        points = [(x, y, math.sin(x / 9) * math.cos(y / 7)) for y in range(number) for x in range(number)]
+        faces = [triangle for y in range(number - 1) for v in range(y * number, (y + 1) * number - 1)
+                 for triangle in ((v, v + 1, v + number + 1), (v, v + number + 1, v + number))]
+        return self.write("grid.off", off_text(points, faces))
+
+    def test_no_unfinished_file_is_left_whenever_the_signal_comes(self):
+        model = self.grid(120)
+        start = time.monotonic()
+        self.succeed(model, "-o", "whole.ply", "--ascii", "--vtp", "whole.vtp", "--quiet")
+        duration = time.monotonic() - start
+        whole = {path.suffix: path.read_bytes() for path in self.folder.glob("whole.*")}
+        endings = collections.Counter()
+        number = 40
+        for k in range(number):
+            for suffix in whole:
+                self.write("out" + suffix, "old")
+            process = self.start(model, "-o", "out.ply", "--ascii", "--vtp", "out.vtp", "--quiet")
+            time.sleep(duration * k / number)
+            sent = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[k % 3]
+            process.send_signal(sent)
+            status = process.wait()
+            self.assertIn(status, (DONE, -sent))
+            endings[status == DONE] += 1
+            self.assertEqual({path.name for path in self.folder.iterdir()},
+                             {model, "whole.ply", "whole.vtp", "out.ply", "out.vtp"})
+            for suffix, content in whole.items():
+                self.assertIn((self.folder / ("out" + suffix)).read_bytes(), (b"old", content))
+        self.assertGreater(endings[False], number // 4)
+
+    def test_signal_while_a_file_is_being_written(self):
+        model = self.grid(120)
+        interrupted = 0
+        for _ in range(8):
+            process = self.start(model, "-o", "out.ply", "--ascii", "--no-baseline", "--quiet")
+            while process.poll() is None and not list(self.folder.glob("*.part")):
+                pass
+            process.terminate()
+            interrupted += process.wait() == -signal.SIGTERM
+            self.assertFalse(list(self.folder.glob("*.part")))
+        self.assertGreater(interrupted, 0)
+
+    def test_signal_that_is_ignored_stays_so(self):
+        process = self.start(self.grid(60), "-o", "out.ply", "--quiet",
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.05)
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.wait(), DONE)
+
+
+class Threads(ProgramTest):
+    def test_output_does_not_depend_on_their_number(self):
+        arguments = (flange(), "--features", flange_features(), "--vtp", "out.vtp", "--field", "out.rawfield")
+        outputs = []
+        for number in ("1", "1", "2", "8"):
+            completed = self.run_program(flange(), "--threads", number, "--quiet")
+            if completed.returncode == BAD_USAGE and number != "1":
+                self.assertIn("without TBB", completed.stderr)
+                self.skipTest("the program was built without TBB")
+            outputs.append((self.output(*arguments, "--threads", number), (self.folder / "out.vtp").read_bytes(),
+                            (self.folder / "out.rawfield").read_bytes()))
+        for output in outputs:
+            self.assertEqual(output, outputs[0])
+        self.assertEqual(self.output(*arguments), outputs[0][0])
+
+
 class Outputs(ProgramTest):
     def test_outputs_that_cannot_be_written(self):
         cube = self.write_cube()
@@ -574,6 +794,18 @@ class Outputs(ProgramTest):
         self.succeed(self.write_cube(), "-o", link)
         self.assertTrue(link.is_symlink())
         self.assertTrue(link.read_text("latin-1").startswith("ply\n"))
+
+    def test_symbolic_link_to_nothing_makes_its_target(self):
+        (self.folder / "folder").mkdir()
+        link, second = self.folder / "link.ply", self.folder / "second.ply"
+        second.symlink_to("folder/target.ply")
+        link.symlink_to("second.ply")
+        self.succeed(self.write_cube(), "-o", link)
+        self.assertTrue(link.is_symlink() and second.is_symlink())
+        self.assertTrue((self.folder / "folder/target.ply").is_file())
+        lost = self.folder / "lost.ply"
+        lost.symlink_to("missing/target.ply")
+        self.assert_fails(BAD_FILE, "lost.ply: there is no folder", "cube.off", "-o", "lost.ply")
 
 
 class Report(ProgramTest):
