@@ -58,14 +58,21 @@ double angle_at(const Mesh& mesh, const typename boost::graph_traits<Mesh>::edge
     get(points, target(next(opposite(h, mesh), mesh), mesh))));
 }
 
-// A long roof with its ridge at x = 0; `slopes` are those at the vertices of the ridge, where rows of length 100 begin.
-Model roof(const std::vector<double>& slopes)
+// A long roof with its ridge at x = 0. It has these angles at the vertices of the ridge, where rows of length 100 begin,
+// and their means at the edges between them.
+Model roof(const std::vector<double>& angles_in_degrees)
 {
-  const int n = static_cast<int>(slopes.size()) - 1;
-  return grid(2 * n, n, false, false, [&](const double u, const double v)
+  Model result;
+  for(const double angle : angles_in_degrees)
   {
-    return Point(u - 0.5, std::round(100 * n * v), -slopes[std::lround(n * v)] * std::abs(u - 0.5));
-  });
+    const double y = 100. * static_cast<double>(result.points.size() / 3), z = -std::tan(angle / 2 * degree);
+    const std::size_t p = result.points.size();
+    result.points.insert(result.points.end(), { Point(-1, y, z), Point(0, y, 0), Point(1, y, z) });
+    if(p > 0)
+      for(const std::size_t q : { p - 3, p - 2 })
+        result.triangles.insert(result.triangles.end(), { Triangle{ q, q + 1, q + 4 }, Triangle{ q, q + 4, q + 3 } });
+  }
+  return result;
 }
 
 // The piece of the ridge of a roof from one vertex to another.
@@ -83,36 +90,27 @@ Segments join(Segments a, const Segments& b)
   return a;
 }
 
-// Slopes with which an edge of a ridge turns by an angle if both its ends have the slope.
-double slope(const double angle_in_degrees)
-{
-  return std::tan(angle_in_degrees / 2 * degree);
-}
-
 template <typename Mesh>
 class Feature_detection : public testing::Test {};
 TYPED_TEST_SUITE(Feature_detection, Mesh_classes, Mesh_class_names);
 
 TYPED_TEST(Feature_detection, follows_a_crease_that_fades_out)
 {
-  std::vector<double> slopes;
-  for(int k = 0; k <= 8; ++k)
-    slopes.push_back(slope(80 - 10 * k));
-  const Cad_mesh<TypeParam> cad_mesh(roof(slopes), false);
+  const Cad_mesh<TypeParam> cad_mesh(roof({ 80, 70, 60, 50, 40, 30, 20, 10, 0 }), false);
   EXPECT_EQ(ridge(0, 4), detected(cad_mesh, parameters::strong_angle(40)));
   EXPECT_EQ(ridge(0, 6), detected(cad_mesh, parameters::strong_angle(40).weak_angle(20)));
 }
 
 TYPED_TEST(Feature_detection, does_not_take_a_crease_that_is_weak_all_along)
 {
-  const Cad_mesh<TypeParam> cad_mesh(roof(std::vector<double>(9, slope(30))), false);
+  const Cad_mesh<TypeParam> cad_mesh(roof(std::vector<double>(9, 30)), false);
   EXPECT_EQ(Segments(), detected(cad_mesh, parameters::strong_angle(40).weak_angle(20)));
   EXPECT_EQ(ridge(0, 8), detected(cad_mesh, parameters::strong_angle(29)));
 }
 
 TYPED_TEST(Feature_detection, closes_gaps_of_one_edge_only)
 {
-  const double high = slope(24), low = slope(14); // and 19 degrees between them
+  const double high = 24, low = 14; // degrees, and 19 between them
   const Cad_mesh<TypeParam> gap_of_one(roof({ high, high, high, low, low, high, high, high }), false);
   EXPECT_EQ(join(ridge(0, 3), ridge(4, 7)), detected(gap_of_one, parameters::strong_angle(18)));
   EXPECT_EQ(ridge(0, 7), detected(gap_of_one, parameters::strong_angle(18).close_gaps(true)));
@@ -124,7 +122,7 @@ TYPED_TEST(Feature_detection, closes_gaps_of_one_edge_only)
 
 TYPED_TEST(Feature_detection, removes_a_dangling_chain_shorter_than_the_minimum)
 {
-  const double high = slope(24), low = slope(14); // and 19 degrees between them
+  const double high = 24, low = 14; // degrees, and 19 between them
   const Cad_mesh<TypeParam> cad_mesh(roof({ high, high, high, low, low, low, low, high, low, low, low }), false);
   const Segments from_border = ridge(0, 3), island = ridge(6, 8);
   EXPECT_EQ(join(from_border, island), detected(cad_mesh, parameters::strong_angle(18)));

@@ -4,8 +4,6 @@
 #include "read_batch_list.h"
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/dll/runtime_symbol_info.hpp>
 #if __has_include(<boost/process/v1.hpp>)
 #include <boost/process/v1.hpp>
@@ -15,43 +13,70 @@ namespace process = boost::process::v1;
 namespace process = boost::process;
 #endif
 
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <future>
 #include <iostream>
-#include <list>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace {
 
-typedef std::chrono::steady_clock Clock;
+// What the signal handler needs, which must neither lock nor allocate.
+std::atomic<int> signal_that_came(0);
+pid_t process_of_batch;
+std::vector<std::atomic<pid_t> >* processes_of_models; // 0 where none runs
 
-// A model whose process runs.
-struct Job
+// Lets the processes of the models end without unfinished files; what they had to do is left to the next start.
+extern "C" void stop_models(const int signal)
 {
-  Job(boost::asio::io_context& context, Json line) : line(std::move(line)), timer(context) {}
+  if(getpid() != process_of_batch) // a process that is about to become a model's
+    _exit(128 + signal);
+  signal_that_came = signal;
+  for(const std::atomic<pid_t>& process : *processes_of_models)
+    if(process != 0)
+      kill(process, SIGTERM);
+}
 
-  Json line; // what is known of the result
-  Clock::time_point start = Clock::now();
-  std::future<std::string> report, messages;
-  boost::asio::steady_timer timer;
-  bool is_timed_out = false;
-  std::optional<process::child> child;
+// What is left of the process of a model.
+struct Outcome
+{
+  int status; // as waitpid() has it
+  bool is_timed_out;
+  std::string report, messages;
+  double seconds;
 };
 
-std::string last_line(const std::string& text)
+std::string last_line(std::string text)
 {
-  const std::size_t end = text.find_last_not_of('\n');
-  if(end == std::string::npos)
-    return "";
-  const std::size_t begin = text.find_last_of('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? -1 : begin));
+  while(!text.empty() && text.back() == '\n')
+    text.pop_back();
+  return text.substr(text.find_last_of('\n') + 1);
+}
+
+Json result_line(Json line, const Outcome& outcome)
+{
+  const bool is_done = WIFEXITED(outcome.status) && WEXITSTATUS(outcome.status) == DONE;
+  line["exit_code"] = WIFEXITED(outcome.status) ? Json(WEXITSTATUS(outcome.status)) : Json();
+  line["signal"] = WIFSIGNALED(outcome.status) ? Json(WTERMSIG(outcome.status)) : Json();
+  line["error"] = is_done ? Json() : outcome.is_timed_out ? Json("stopped after the --timeout")
+                                                          : Json(last_line(outcome.messages));
+  line["seconds"] = outcome.seconds;
+  line["report"] = is_done ? Json::parse(outcome.report) : Json();
+  return line;
 }
 
 class Batch
@@ -60,7 +85,7 @@ public:
   explicit Batch(const Batch_options& options)
     : m_options(options)
     , m_log((std::filesystem::path(options.folder) / "results.jsonl").string())
-    , m_signals(m_context, SIGINT, SIGTERM)
+    , m_processes(options.number_of_jobs)
   {
     for(const Batch_model& model : read_batch_list(options.list, has_outputs()))
     {
@@ -75,17 +100,16 @@ public:
 
   Exit_code run()
   {
-    m_signals.async_wait([this](const boost::system::error_code& error, const int signal)
-                         { if(!error) stop(signal); });
-    for(int k = 0; k < m_options.number_of_jobs; ++k)
-      start_next();
-    if(m_jobs.empty())
-      m_signals.cancel();
-    m_context.run();
-    if(m_signal != 0)
+    process_of_batch = getpid();
+    processes_of_models = &m_processes;
+    for(const int signal : { SIGINT, SIGTERM, SIGHUP })
+      if(std::signal(signal, stop_models) == SIG_IGN)
+        std::signal(signal, SIG_IGN);
+    run_all();
+    if(signal_that_came != 0)
     {
-      std::signal(m_signal, SIG_DFL);
-      std::raise(m_signal);
+      std::signal(signal_that_came, SIG_DFL);
+      std::raise(signal_that_came);
     }
     if(!m_options.is_quiet)
       std::cout << m_number_of_models << " models computed, " << m_number_of_failures << " of them failed; "
@@ -113,87 +137,112 @@ private:
     std::vector<std::string> result{ "--model=" + model.model, "--quiet", "--report=/dev/stdout" };
     if(!line["features"].is_null())
       result.push_back("--features=" + line["features"].get<std::string>());
-    for(std::string argument : m_options.arguments)
-    {
-      const std::size_t place = argument.find("{}");
-      if(place != std::string::npos)
-      {
-        argument.replace(place, 2, stem_of(model));
-        const std::size_t value = argument.find('=') + 1;
-        argument.replace(value, std::string::npos,
-                         (std::filesystem::path(m_options.folder) / argument.substr(value)).string());
-      }
-      result.push_back(argument);
-    }
+    for(const std::string& argument : m_options.arguments)
+      result.push_back(with_name_of_output(argument, stem_of(model)));
     return result;
   }
 
-  void start_next()
+  std::string with_name_of_output(std::string argument, const std::string& stem) const
   {
-    if(m_waiting.empty() || m_signal != 0)
-      return;
-    m_jobs.emplace_back(m_context, std::move(m_waiting.back()));
+    const std::size_t place = argument.find("{}");
+    if(place == std::string::npos)
+      return argument;
+    argument.replace(place, 2, stem);
+    const std::size_t value = argument.find('=') + 1;
+    return argument.substr(0, value) + (std::filesystem::path(m_options.folder) / argument.substr(value)).string();
+  }
+
+  // The pipes are made one process at a time, as otherwise another one would inherit them and keep them open.
+  process::child start(const std::vector<std::string>& arguments, boost::asio::io_context& context,
+                       std::future<std::string>& report, std::future<std::string>& messages)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return process::child(m_program, process::args = arguments, process::std_in < process::null,
+                          process::std_out > report, process::std_err > messages, context);
+  }
+
+  // Runs the process of a model to its end, which the end of its output tells.
+  Outcome run_model(const Json& line, std::atomic<pid_t>& process_number)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    boost::asio::io_context context;
+    std::future<std::string> report, messages;
+    process::child child = start(arguments_of(line), context, report, messages);
+    process_number = child.id();
+    if(signal_that_came != 0) // it did not know of this process
+      kill(child.id(), SIGTERM);
+
+    Outcome outcome;
+    if(m_options.timeout)
+      context.run_for(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(*m_options.timeout)));
+    outcome.is_timed_out = !context.stopped() && m_options.timeout;
+    if(outcome.is_timed_out)
+      kill(child.id(), SIGTERM);
+    context.run();
+    process_number = 0; // before the system can give its number to another process
+    child.wait();
+    outcome.status = child.native_exit_code();
+    outcome.report = report.get();
+    outcome.messages = messages.get();
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return outcome;
+  }
+
+  std::optional<Json> next_line()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_waiting.empty() || signal_that_came != 0 || m_error)
+      return std::nullopt;
+    Json line = std::move(m_waiting.back());
     m_waiting.pop_back();
-    const std::list<Job>::iterator job = std::prev(m_jobs.end());
-    job->child.emplace(m_program, process::args = arguments_of(job->line), process::std_in < process::null,
-                       process::std_out > job->report, process::std_err > job->messages, m_context,
-                       process::on_exit = [this, job](int, const std::error_code&)
-                       { m_context.post([this, job] { finish(job); }); });
-    if(!m_options.timeout)
-      return;
-    job->timer.expires_after(std::chrono::duration_cast<Clock::duration>(
-      std::chrono::duration<double>(*m_options.timeout)));
-    job->timer.async_wait([job](const boost::system::error_code& error)
-    {
-      if(error)
-        return;
-      job->is_timed_out = true;
-      ::kill(job->child->id(), SIGTERM);
-    });
+    return line;
   }
 
-  // Takes the result of a process that has ended.
-  void finish(const std::list<Job>::iterator job)
+  void take(const Json& line)
   {
-    job->timer.cancel();
-    if(m_signal == 0)
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_log.append(line);
+    ++m_number_of_models;
+    m_number_of_failures += !line["error"].is_null();
+  }
+
+  // Takes one model after the other.
+  void work(std::atomic<pid_t>& process_number)
+  try
+  {
+    while(const std::optional<Json> line = next_line())
     {
-      const int status = job->child->native_exit_code();
-      const std::string report = job->report.get(), message = last_line(job->messages.get());
-      const bool is_done = WIFEXITED(status) && WEXITSTATUS(status) == DONE;
-      Json line = job->line;
-      line["exit_code"] = WIFEXITED(status) ? Json(WEXITSTATUS(status)) : Json();
-      line["signal"] = WIFSIGNALED(status) ? Json(WTERMSIG(status)) : Json();
-      line["error"] = is_done ? Json() : job->is_timed_out ? Json("stopped after the --timeout") : Json(message);
-      line["seconds"] = std::chrono::duration<double>(Clock::now() - job->start).count();
-      line["report"] = is_done ? Json::parse(report) : Json();
-      m_log.append(line);
-      ++m_number_of_models;
-      m_number_of_failures += !is_done;
+      const Outcome outcome = run_model(*line, process_number);
+      if(signal_that_came == 0)
+        take(result_line(*line, outcome));
     }
-    m_jobs.erase(job);
-    start_next();
-    if(m_jobs.empty())
-      m_signals.cancel();
+  }
+  catch(...)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_error = std::current_exception();
   }
 
-  // Lets the processes end without unfinished files; what they had to do is left to the next start of the batch.
-  void stop(const int signal)
+  void run_all()
   {
-    m_signal = signal;
-    for(const Job& job : m_jobs)
-      ::kill(job.child->id(), SIGTERM);
+    std::vector<std::thread> threads;
+    for(std::atomic<pid_t>& process_number : m_processes)
+      threads.emplace_back([this, &process_number] { work(process_number); });
+    for(std::thread& thread : threads)
+      thread.join();
+    if(m_error)
+      std::rethrow_exception(m_error);
   }
 
   const Batch_options& m_options;
   Batch_log m_log;
-  boost::asio::io_context m_context;
-  boost::asio::signal_set m_signals;
   const std::string m_program = boost::dll::program_location().string();
+  std::vector<std::atomic<pid_t> > m_processes;
+  std::mutex m_mutex; // of all below
   std::vector<Json> m_waiting; // the next one last
-  std::list<Job> m_jobs;
+  std::exception_ptr m_error;
   std::size_t m_number_of_known_models = 0, m_number_of_models = 0, m_number_of_failures = 0;
-  int m_signal = 0;
 };
 
 } // namespace
