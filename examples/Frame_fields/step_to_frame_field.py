@@ -45,8 +45,8 @@ def curve_edges():
     result = []
     for dimension, tag in gmsh.model.getEntities(1):
         surfaces, _ = gmsh.model.getAdjacencies(dimension, tag)
-        is_seam = len(surfaces) == 1 and gmsh.model.mesh.getNodes(dimension, tag)[0].size and is_inside(tag, surfaces[0])
-        if len(surfaces) and not is_seam:
+        is_seam = len(surfaces) == 1 and is_inside(tag, surfaces[0])
+        if len(surfaces) > 0 and not is_seam:
             result += elements(dimension, tag, 2)
     return result
 
@@ -78,8 +78,10 @@ def main():
     parser.add_argument("--size", type=float, help="the length of the edges of the mesh")
     parser.add_argument("--mesh", type=pathlib.Path, help="keep the mesh under this name, as OFF")
     parser.add_argument("--features", type=pathlib.Path, help="keep the feature edges under this name, as vertex pairs")
-    parser.add_argument("options", nargs="*", help="options of cad_frame_field, after --")
-    arguments = parser.parse_args()
+    own, options = sys.argv[1:], []
+    if "--" in own:
+        own, options = own[:own.index("--")], own[own.index("--") + 1:]
+    arguments = parser.parse_args(own)
 
     gmsh.initialize()
     with tempfile.TemporaryDirectory() as folder:
@@ -91,7 +93,7 @@ def main():
         except Exception as error:  # gmsh raises nothing more special
             print(f"{arguments.step}: gmsh cannot mesh it: {error}", file=sys.stderr)
             return 2
-        return subprocess.run([arguments.program, mesh, "--features", features, *arguments.options]).returncode
+        return subprocess.run([arguments.program, mesh, "--features", features, *options]).returncode
 
 
 if __name__ == "__main__":

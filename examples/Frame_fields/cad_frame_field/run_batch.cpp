@@ -44,7 +44,11 @@ std::vector<std::atomic<pid_t> >* processes_of_models; // 0 where none runs
 extern "C" void stop_models(const int signal)
 {
   if(getpid() != process_of_batch) // a process that is about to become a model's
-    _exit(128 + signal);
+  {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal); // takes place when this handler returns
+    return;
+  }
   signal_that_came = signal;
   for(const std::atomic<pid_t>& process : *processes_of_models)
     if(process != 0)
