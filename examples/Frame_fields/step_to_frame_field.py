@@ -73,7 +73,7 @@ def write_model(mesh_path, feature_path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("step", type=pathlib.Path, help="a file that gmsh's OpenCASCADE kernel reads: STEP, IGES or BREP")
+    parser.add_argument("step", type=pathlib.Path, help="a STEP, IGES or BREP file")
     parser.add_argument("--program", default="cad_frame_field", help="the program, if it is not in the path")
     parser.add_argument("--size", type=float, help="the length of the edges of the mesh")
     parser.add_argument("--mesh", type=pathlib.Path, help="keep the mesh under this name, as OFF")

@@ -58,8 +58,8 @@ double angle_at(const Mesh& mesh, const typename boost::graph_traits<Mesh>::edge
     get(points, target(next(opposite(h, mesh), mesh), mesh))));
 }
 
-// A long roof with its ridge at x = 0. It has these angles at the vertices of the ridge, where rows of length 100 begin,
-// and their means at the edges between them.
+// A long roof with its ridge at x = 0. It has these angles at the vertices of the ridge, where rows of length 100
+// begin, and their means at the edges between them.
 Model roof(const std::vector<double>& angles_in_degrees)
 {
   Model result;

@@ -52,6 +52,14 @@ struct Copied_field
     return FF::singularity_indices(cad_mesh.mesh, copy.alpha, copy.matching, index,
                                    cad_mesh.features().skewness_map(copy.rho));
   }
+
+  void expect_same_indices()
+  {
+    ASSERT_TRUE(read());
+    ASSERT_TRUE(compute_indices());
+    for(const auto h : halfedges(cad_mesh.mesh))
+      EXPECT_EQ(get(original.index, h), get(index, h));
+  }
 };
 
 template <typename Mesh>
@@ -78,10 +86,7 @@ TYPED_TEST(Field_from_vectors, has_the_same_indices)
   for(const auto& model : { quilt(), torus(), cube(), star({ 12, 44, 27 }) })
   {
     Copied_field<TypeParam> field(model, false);
-    ASSERT_TRUE(field.read());
-    ASSERT_TRUE(field.compute_indices());
-    for(const auto h : halfedges(field.cad_mesh.mesh))
-      EXPECT_EQ(get(field.original.index, h), get(field.index, h));
+    field.expect_same_indices();
   }
 }
 
@@ -96,10 +101,7 @@ TYPED_TEST(Field_from_vectors, does_not_depend_on_lengths_signs_and_names_of_the
     put(field.u, f, (number % 3 + 1) * (number % 5 < 2 ? -1 : 1) * (swaps ? v : u));
     put(field.v, f, (number % 7 + 1) * (number % 3 < 2 ? -1 : 1) * (swaps ? u : v));
   }
-  ASSERT_TRUE(field.read());
-  ASSERT_TRUE(field.compute_indices());
-  for(const auto h : halfedges(field.cad_mesh.mesh))
-    EXPECT_EQ(get(field.original.index, h), get(field.index, h));
+  field.expect_same_indices();
 }
 
 TYPED_TEST(Field_from_vectors, is_turned_onto_constrained_edges)

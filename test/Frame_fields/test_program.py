@@ -394,8 +394,8 @@ class Usage(ProgramTest):
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
                        "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
-                       "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp", "--field",
-                       "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose", "--help",
+                       "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp",
+                       "--field", "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose", "--help",
                        "--version", "Exit codes"):
             with self.subTest(option):
                 self.assertIn(option, text)
@@ -435,7 +435,8 @@ class Usage(ProgramTest):
                 (".rosy", "cube.off --field out.txt"), (".rosy", "cube.off --compare model.feat"),
                 ("--out-dir", "--batch list"), ("--batch", "cube.off --jobs 2"), ("--batch", "cube.off --timeout 2"),
                 ("MODEL", "cube.off --batch list --out-dir out"), ("--report", "--batch list --out-dir out --report r"),
-                ("--jobs", "--batch list --out-dir out --jobs 0"), ("--timeout", "--batch list --out-dir out --timeout 0"),
+                ("--jobs", "--batch list --out-dir out --jobs 0"),
+                ("--timeout", "--batch list --out-dir out --timeout 0"),
                 ("{}", "--batch list --out-dir out -o out.ply"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
                 ("--output", "cube.off -o"), ("--output", "cube.off -o a.ply -o b.ply"),
@@ -597,8 +598,8 @@ class HostileInput(ProgramTest):
                 os.remove(self.folder / "out.json")
 
     def test_sizes_that_do_not_go_together(self):
-        for name, point in (("far", (1e300, 1e300, 1e300)), ("near", (1e-300, 0, 0)), ("largest", (1.7e308, -1.7e308, 0)),
-                            ("smallest", (5e-324, 0, 0))):
+        for name, point in (("far", (1e300, 1e300, 1e300)), ("near", (1e-300, 0, 0)),
+                            ("largest", (1.7e308, -1.7e308, 0)), ("smallest", (5e-324, 0, 0))):
             with self.subTest(name):
                 points = [*CUBE_POINTS[:6], point, CUBE_POINTS[7]]
                 self.run_with_outputs(self.write("cube.off", off_text(points, CUBE_FACES)))
@@ -1197,8 +1198,8 @@ class FieldFormats(ProgramTest):
 
     def write_fields(self, *options):
         fields = [argument for end in self.FORMATS for argument in ("--field", "out" + end)]
-        self.succeed(flange(), "--features", flange_features(), *fields, "--write-features", "out.feat", "-o", "out.ply",
-                     "--quiet", *options)
+        self.succeed(flange(), "--features", flange_features(), *fields, "--write-features", "out.feat", "-o",
+                     "out.ply", "--quiet", *options)
         field = Field((self.folder / "out.ply").read_bytes(), {})
         self.write("again.off", off_text(field.points, field.faces))
         return field
@@ -1263,7 +1264,8 @@ class FieldFormats(ProgramTest):
         self.assertGreater(report["compared"]["unmeshable"], 0)
         self.assertEqual(report["unmeshable_after"], 0)
         table = self.succeed("again.off", "--features", "out.feat", "--compare", "out.rosy").stdout
-        self.assertRegex(table, r"compared field\n(  .*\n)*  unmeshable corners +%d\n" % report["compared"]["unmeshable"])
+        self.assertRegex(table, r"compared field\n(  .*\n)*  unmeshable corners +%d\n"
+                         % report["compared"]["unmeshable"])
 
     def test_parts_of_a_split_face_have_the_directions_of_the_face(self):
         """The field on the faces of the cube that its edges give: each has three parts."""
@@ -1282,7 +1284,8 @@ class FieldFormats(ProgramTest):
         cube = self.write_cube()
         rows = numbers_as_lines([(1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0)] * 12)
         for name, message, text in (
-                ("a.rosy", "a.rosy:1: the file ends", "12"), ("b.rosy", "b.rosy:2: the field has 6 directions", "12\n6\n"),
+                ("a.rosy", "a.rosy:1: the file ends", "12"),
+                ("b.rosy", "b.rosy:2: the field has 6 directions", "12\n6\n"),
                 ("c.rosy", "11 faces and the model 12", "11\n4\n"), ("d.rosy", "coordinate of a vector of face 1",
                                                                      "12\n4\n1 0 0\n1 x 0\n"),
                 ("e.rawfield", "the file ends where a coordinate of a vector of face 11", "4 12\n" + rows[:-4]),
@@ -1364,7 +1367,7 @@ class FeatureDetection(ProgramTest):
 
     def ridge(self, *options):
         """The lengths, in hundreds, of the features at the ridge by their beginning, and the dangling ends."""
-        report = self.report("roof.off", "--write-features", "out.feat", "--feature-angle", "18", "--no-baseline", *options)
+        report = self.report("roof.off", "--write-features", "out.feat", "--feature-angle", "18", *options)
         pairs = read_features(self.folder / "out.feat")
         rows = sorted(min(a, b) // 3 for a, b in pairs if a % 3 == b % 3 == 1)
         return rows, [vertex // 3 for vertex in report["dangling_ends"] if vertex % 3 == 1]
@@ -1452,8 +1455,9 @@ class Batch(ProgramTest):
 
     def test_signal_stops_it_and_it_can_go_on(self):
         self.write("list", "".join(self.write(f"model_{k}.off", cube_text(1 + k)) + "\n" for k in range(200)))
-        process = subprocess.Popen([paths.program, "--batch", "list", "--out-dir", "out", "--jobs", "2", "-o", "{}.ply"],
-                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        arguments = ("--batch", "list", "--out-dir", "out", "--jobs", "2", "-o", "{}.ply")
+        process = subprocess.Popen([paths.program, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
         log = self.folder / "out/results.jsonl"
         while process.poll() is None and not (log.is_file() and log.stat().st_size):
             time.sleep(0.001)
@@ -1462,7 +1466,7 @@ class Batch(ProgramTest):
         _, number = self.results()
         self.assertTrue(0 < number < 200)
         self.assertFalse(list((self.folder / "out").glob("*.part")))
-        self.assertEqual(self.run_batch("-o", "{}.ply").returncode, DONE)
+        self.assertEqual(self.run_program(*arguments).returncode, DONE)
         results, total = self.results()
         self.assertEqual((len(results), total), (200, 200))
 
@@ -1529,9 +1533,8 @@ gmsh.write("solid.step")
         made = run(self.python, "-c", self.SOLID, cwd=self.folder)
         self.assertEqual(made.returncode, 0, made.stderr)
         script = paths.sources / "examples/Frame_fields/step_to_frame_field.py"
-        completed = run(self.python, script, "solid.step", "--size", "0.3", "--program", paths.program, "--mesh", "solid.off",
-                        "--features", "solid.feat", "--", "-o", "out.ply", "--report", "out.json", "--quiet",
-                        cwd=self.folder)
+        completed = run(self.python, script, "solid.step", "--size", "0.3", "--program", paths.program,
+                        "--", "-o", "out.ply", "--report", "out.json", "--quiet", cwd=self.folder)
         self.assertEqual(completed.returncode, 0, completed.stderr)
         report = json.loads((self.folder / "out.json").read_text())
         self.assertEqual(report["unmeshable_after"], 0)

@@ -21,6 +21,7 @@ struct Batch_options
   int number_of_jobs;
   std::optional<double> timeout; // seconds
   std::vector<std::string> arguments;
+  bool has_one_thread_a_model; // which makes no difference to the results
   bool is_quiet;
 };
 
@@ -60,7 +61,8 @@ inline std::vector<std::string> common_arguments(const boost::program_options::p
     for(const std::string& value : option.value)
     {
       if(is_output(option.string_key) && value.find("{}") == std::string::npos)
-        throw Failure(BAD_USAGE, value + ": the name of an output of a batch must contain {}, which stands for the model");
+        throw Failure(BAD_USAGE, value + ": the name of an output of a batch must contain {}, which stands for the "
+                                 "model");
       result.push_back("--" + option.string_key + "=" + value);
     }
   }
@@ -87,8 +89,7 @@ inline std::optional<Batch_options> batch_options_from(const boost::program_opti
     batch.timeout = variables["timeout"].as<double>();
   batch.arguments = common_arguments(parsed);
   batch.is_quiet = variables.count("quiet");
-  if(!variables.count("threads") && batch.number_of_jobs > 1)
-    batch.arguments.push_back("--threads=1");
+  batch.has_one_thread_a_model = !variables.count("threads") && batch.number_of_jobs > 1;
   return batch;
 }
 

@@ -79,7 +79,8 @@ inline Compared_figures compare_field(const Options& options, const std::vector<
   const auto index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
   const auto np = CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature);
   Compared_figures result;
-  check(CGAL::Frame_fields::frame_field_from_vectors(mesh, u, v, alpha, rho, matching, result.maximum_misalignment, np));
+  check(CGAL::Frame_fields::frame_field_from_vectors(mesh, u, v, alpha, rho, matching, result.maximum_misalignment,
+                                                     np));
   check(CGAL::Frame_fields::singularity_indices(mesh, alpha, matching, index, np.skewness_map(rho)));
   check(CGAL::Frame_fields::frame_field_quality(mesh, alpha, rho, matching, result.quality,
                                                 np.edge_weighting(options.edge_weighting)));

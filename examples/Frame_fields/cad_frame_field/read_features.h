@@ -82,7 +82,7 @@ inline std::vector<Vertex_pair> read_edges_of_faces(const std::string& path, con
       return;
     }
     const auto numbers = has_convexity
-      ? integers_of_line(path, line_number, content, 3, "0 or 1 for concave or convex, a face and the number of its edge")
+      ? integers_of_line(path, line_number, content, 3, "0 or 1 (concave or convex), a face and the number of its edge")
       : integers_of_line(path, line_number, content, 2, "a face and the number of its edge");
     pairs.push_back(edge_of_face(path, line_number, soup, numbers[numbers.size() - 2], numbers.back()));
   });

@@ -42,8 +42,8 @@ inline std::size_t read_header(Word_reader& reader, const Field_format format)
   return number;
 }
 
-// Reads a field of a mesh. Of the four vectors of Directional the first two count; of the cross of QuadWild only the first
-// direction is in the file, and the second one is left zero.
+// Reads a field of a mesh. Of the four vectors of Directional the first two count; of the cross of QuadWild only the
+// first direction is in the file, and the second one is left zero.
 inline std::vector<Directions> read_field(const std::string& path, const std::size_t number_of_faces)
 {
   const Field_format format = field_format_of(path);

@@ -139,6 +139,8 @@ private:
   {
     const Batch_model model{ line["model"], std::nullopt };
     std::vector<std::string> result{ "--model=" + model.model, "--quiet", "--report=/dev/stdout" };
+    if(m_options.has_one_thread_a_model)
+      result.push_back("--threads=1");
     if(!line["features"].is_null())
       result.push_back("--features=" + line["features"].get<std::string>());
     for(const std::string& argument : m_options.arguments)

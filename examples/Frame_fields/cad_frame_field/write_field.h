@@ -14,8 +14,8 @@
 
 typedef std::array<Vector, 4> Frame_vectors;
 
-// One branch of the cross that stands for a frame: the branch along its feature edge, or else one of the cross nearest to
-// it.
+// One branch of the cross that stands for a frame: the branch along its feature edge, or else one of the cross nearest
+// to it.
 inline Vector representative(const Mesh& mesh, const Feature_map is_feature, const Field& field, const Face f)
 {
   const double alpha = field.alpha[f], rho = field.rho[f];

@@ -68,9 +68,9 @@ finds feature edges by the angles between the normals of their faces, and cleans
 
 -# Edges of the strong angle or more are features, and edges of the weak angle or more that are connected with them by
    such edges. So a crease that fades out is followed, and one that is weak all along is not taken.
--# If `close_gaps` is `true`, an edge becomes a feature that joins two dangling ends, vertices at which exactly one feature
-   ends, and that turns by less than a right angle at both. If several edges compete for an end, the one with the smaller
-   turns is taken.
+-# If `close_gaps` is `true`, an edge becomes a feature that joins two dangling ends, vertices at which exactly one
+   feature ends, and that turns by less than a right angle at both. If several edges compete for an end, the one with
+   the smaller turns is taken.
 -# Features form chains, which reach from one vertex where not exactly two features meet to the next. A chain shorter
    than the minimum length is no feature if one of its ends dangles, or if it is closed and meets no other. The shortest
    chain goes first; two chains that are left at a vertex become one. So a spur goes and the chain that it
