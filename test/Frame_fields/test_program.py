@@ -4,6 +4,7 @@
 import argparse
 import collections
 import csv
+import fcntl
 import functools
 import json
 import math
@@ -696,13 +697,13 @@ class Signals(ProgramTest):
         return self.write("grid.off", off_text(points, faces))
 
     def test_no_unfinished_file_is_left_whenever_the_signal_comes(self):
-        model = self.grid(120)
+        model = self.grid(90)
         start = time.monotonic()
         self.succeed(model, "-o", "whole.ply", "--ascii", "--vtp", "whole.vtp", "--quiet")
         duration = time.monotonic() - start
         whole = {path.suffix: path.read_bytes() for path in self.folder.glob("whole.*")}
         endings = collections.Counter()
-        number = 40
+        number = 24
         for k in range(number):
             for suffix in whole:
                 self.write("out" + suffix, "old")
@@ -1288,10 +1289,10 @@ class FieldFormats(ProgramTest):
                 ("b.rosy", "b.rosy:2: the field has 6 directions", "12\n6\n"),
                 ("c.rosy", "11 faces and the model 12", "11\n4\n"), ("d.rosy", "coordinate of a vector of face 1",
                                                                      "12\n4\n1 0 0\n1 x 0\n"),
-                ("e.rawfield", "the file ends where a coordinate of a vector of face 11", "4 12\n" + rows[:-4]),
+                ("e.rawfield", "the file ends where a coordinate of a vector of face 11", "4 12\n" + rows[:-3]),
                 ("f.rawfield", "goes on", "4 12\n" + rows + "1\n"), ("g.ffield", "number of faces", "# frame\nx\n"),
                 ("h.rawfield", "h.rawfield: ", "4 12\n" + rows), ("i.rosy", "i.rosy: ", "12\n4\n" + "nan 0 0\n" * 12),
-                ("j.rosy", "'-1'", "-1\n4\n")):
+                ("j.rosy", "negative", "-1\n4\n")):
             with self.subTest(name):
                 self.write(name, text)
                 self.assert_fails(BAD_FILE, message, cube, "--compare", name)
@@ -1469,6 +1470,12 @@ class Batch(ProgramTest):
         self.assertEqual(self.run_program(*arguments).returncode, DONE)
         results, total = self.results()
         self.assertEqual((len(results), total), (200, 200))
+
+    def test_two_batches_do_not_write_to_one_folder(self):
+        (self.folder / "out").mkdir()
+        with open(self.folder / "out/results.jsonl", "a") as log:
+            fcntl.flock(log, fcntl.LOCK_EX)
+            self.assert_fails(BAD_FILE, "another batch", "--batch", "list", "--out-dir", "out")
 
     def test_wrong_lists(self):
         for message, text in (("list: there are no models", "# none\n"), ("list:2: ", "a.off\na.off b c\n"),

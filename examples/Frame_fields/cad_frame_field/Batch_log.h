@@ -3,9 +3,13 @@
 
 #include "Failure.h"
 
-#include <boost/interprocess/sync/file_lock.hpp>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -20,16 +24,19 @@ class Batch_log
 public:
   explicit Batch_log(const std::string& path)
     : m_path(path)
+    , m_descriptor(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
   {
-    open(std::ios::app); // the lock needs a file
-    m_lock = boost::interprocess::file_lock(path.c_str());
-    if(!m_lock.try_lock())
+    if(m_descriptor < 0)
+      throw Failure(BAD_FILE, path + ": cannot be written; check the permissions of its folder");
+    if(flock(m_descriptor, LOCK_EX | LOCK_NB) != 0)
       throw Failure(BAD_FILE, path + ": another batch is writing to it");
     read_lines();
-    m_out.close();
     std::filesystem::resize_file(path, m_size);
-    open(std::ios::app);
+    m_out.open(path, std::ios::binary | std::ios::app);
   }
+
+  Batch_log(const Batch_log&) = delete;
+  ~Batch_log() { close(m_descriptor); }
 
   // The task of a model: all that its result depends on.
   static std::string task_of(const Json& line)
@@ -48,13 +55,6 @@ public:
   }
 
 private:
-  void open(const std::ios::openmode mode)
-  {
-    m_out.open(m_path, std::ios::binary | mode);
-    if(!m_out)
-      throw Failure(BAD_FILE, m_path + ": cannot be written; check the permissions of its folder");
-  }
-
   void read_lines()
   {
     std::ifstream in(m_path, std::ios::binary);
@@ -75,8 +75,8 @@ private:
   }
 
   std::string m_path;
+  int m_descriptor; // holds the lock
   std::ofstream m_out;
-  boost::interprocess::file_lock m_lock;
   std::set<std::string> m_tasks;
   std::uintmax_t m_size = 0;
 };

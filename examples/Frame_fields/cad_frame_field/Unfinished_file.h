@@ -1,6 +1,8 @@
 #ifndef CAD_FRAME_FIELD_UNFINISHED_FILE_H
 #define CAD_FRAME_FIELD_UNFINISHED_FILE_H
 
+#include "Failure.h"
+
 #include <unistd.h>
 
 #include <csignal>
@@ -31,7 +33,14 @@ public:
   }
 
   const std::string& path() const { return m_path; }
-  void finish() const { std::filesystem::rename(m_path, m_target); }
+
+  void finish(const std::string& name_for_user) const
+  {
+    std::error_code error;
+    std::filesystem::rename(m_path, m_target, error);
+    if(error)
+      throw Failure(BAD_FILE, name_for_user + ": cannot be written: " + error.message());
+  }
 
 private:
   std::filesystem::path m_target;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Two directions of a face.
@@ -21,6 +22,14 @@ inline Vector read_vector(Word_reader& reader, const std::size_t face)
   return { coordinates[0], coordinates[1], coordinates[2] };
 }
 
+inline std::size_t read_count(Word_reader& reader, const std::string& expected)
+{
+  const long long count = reader.next_number<long long>(expected);
+  if(count < 0)
+    reader.fail(expected + " is negative");
+  return static_cast<std::size_t>(count);
+}
+
 // What stands before the vectors; returns the number of faces.
 inline std::size_t read_header(Word_reader& reader, const Field_format format)
 {
@@ -28,15 +37,15 @@ inline std::size_t read_header(Word_reader& reader, const Field_format format)
   {
     reader.next(); // "target_frame"
     reader.skip_line();
-    const std::size_t number = reader.next_number<std::size_t>("the number of faces");
+    const std::size_t number = read_count(reader, "the number of faces");
     reader.next(); // the names of the columns
     reader.skip_line();
     return number;
   }
-  std::size_t number, degree;
-  std::size_t* const order[2] = { format == ROSY ? &number : &degree, format == ROSY ? &degree : &number };
-  for(std::size_t* const value : order)
-    *value = reader.next_number<std::size_t>("the number of faces and that of the directions");
+  std::size_t number = read_count(reader, format == ROSY ? "the number of faces" : "the number of directions");
+  std::size_t degree = read_count(reader, format == ROSY ? "the number of directions" : "the number of faces");
+  if(format == RAWFIELD)
+    std::swap(number, degree);
   if(degree != 4)
     reader.fail("the field has " + std::to_string(degree) + " directions a face; it must have 4");
   return number;

@@ -23,8 +23,9 @@ inline std::filesystem::path final_target(std::filesystem::path path)
 {
   namespace fs = std::filesystem;
   const int maximum_number_of_links = 40; // as Linux has it
-  for(int k = 0; k < maximum_number_of_links && fs::is_symlink(path); ++k)
-    path = path.parent_path() / fs::read_symlink(path);
+  std::error_code error;
+  for(int k = 0; k < maximum_number_of_links && fs::is_symlink(path, error); ++k)
+    path = path.parent_path() / fs::read_symlink(path, error);
   return path;
 }
 
@@ -63,7 +64,7 @@ void write_file(const std::string& path, const Write& write)
     return write_directly(path, path, write);
   const Unfinished_file unfinished(final_target(path)); // a symbolic link keeps pointing to the file
   write_directly(unfinished.path(), path, write);
-  unfinished.finish();
+  unfinished.finish(path);
 }
 
 #endif // CAD_FRAME_FIELD_WRITE_FILE_H
