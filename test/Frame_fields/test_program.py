@@ -1490,6 +1490,8 @@ class Batch(ProgramTest):
         self.assertIn("a/x.off and b/x.off", completed.stderr)
         self.assert_fails(BAD_FILE, "nowhere", "--batch", "nowhere", "--out-dir", "out")
         self.assert_fails(BAD_FILE, "list: this folder", "--batch", "list", "--out-dir", "list")
+        self.assertFalse((self.folder / "out").exists())
+        (self.folder / "out").mkdir()
         (self.folder / "out/results.jsonl").write_text("no result\n")
         self.assert_fails(BAD_FILE, "results.jsonl:1: ", "--batch", "list", "--out-dir", "out")
 

@@ -86,12 +86,12 @@ Json result_line(Json line, const Outcome& outcome)
 class Batch
 {
 public:
-  explicit Batch(const Batch_options& options)
+  Batch(const Batch_options& options, const std::vector<Batch_model>& models)
     : m_options(options)
     , m_log((std::filesystem::path(options.folder) / "results.jsonl").string())
     , m_processes(options.number_of_jobs)
   {
-    for(const Batch_model& model : read_batch_list(options.list, has_outputs()))
+    for(const Batch_model& model : models)
     {
       Json line = line_of(model);
       if(m_log.has(line))
@@ -122,12 +122,6 @@ public:
   }
 
 private:
-  bool has_outputs() const
-  {
-    return std::any_of(m_options.arguments.begin(), m_options.arguments.end(),
-                       [](const std::string& argument) { return argument.find("{}") != std::string::npos; });
-  }
-
   Json line_of(const Batch_model& model) const
   {
     return { { "model", model.model }, { "features", model.features ? Json(*model.features) : Json() },
@@ -251,13 +245,20 @@ private:
   std::size_t m_number_of_known_models = 0, m_number_of_models = 0, m_number_of_failures = 0;
 };
 
+bool has_outputs(const Batch_options& options)
+{
+  return std::any_of(options.arguments.begin(), options.arguments.end(),
+                     [](const std::string& argument) { return argument.find("{}") != std::string::npos; });
+}
+
 } // namespace
 
 Exit_code run_batch(const Batch_options& options)
 {
+  const std::vector<Batch_model> models = read_batch_list(options.list, has_outputs(options));
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);
   if(!std::filesystem::is_directory(options.folder, error))
     throw Failure(BAD_FILE, options.folder + ": this folder cannot be made");
-  return Batch(options).run();
+  return Batch(options, models).run();
 }
