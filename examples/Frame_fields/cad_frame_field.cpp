@@ -1,3 +1,5 @@
+#include "cad_frame_field/Command_line.h"
+#include "cad_frame_field/Compared_field.h"
 #include "cad_frame_field/Console.h"
 #include "cad_frame_field/Failure.h"
 #include "cad_frame_field/Field.h"
@@ -6,10 +8,15 @@
 #include "cad_frame_field/Options.h"
 #include "cad_frame_field/Soup.h"
 #include "cad_frame_field/Summary.h"
+#include "cad_frame_field/Thread_limit.h"
+#include "cad_frame_field/Unfinished_file.h"
 #include "cad_frame_field/feature_edges.h"
 #include "cad_frame_field/print_table.h"
+#include "cad_frame_field/run_batch.h"
 #include "cad_frame_field/sectors.h"
 #include "cad_frame_field/streamlines.h"
+#include "cad_frame_field/write_features.h"
+#include "cad_frame_field/write_field.h"
 #include "cad_frame_field/write_file.h"
 #include "cad_frame_field/write_ply.h"
 #include "cad_frame_field/write_report.h"
@@ -21,8 +28,11 @@
 
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 template <typename Function>
@@ -36,17 +46,31 @@ double seconds_of(const Function& function)
 
 void check_outputs(const Options& options)
 {
-  for(const auto& path : { options.ply, options.vtp, options.report })
-    if(path)
-      check_output_path(*path);
+  for(const std::string& path : outputs_of(options))
+    check_output_path(path);
 }
 
-Model read_model(const Options& options, Console& console)
+// What the input files hold.
+struct Input
+{
+  std::vector<Vertex_pair> features; // if they are listed
+  Model model;
+  std::vector<Directions> compared_field;
+};
+
+Input read_input(const Options& options, Console& console)
 {
   console.show_progress("reading " + options.model);
   try
   {
-    return make_model(options.model, read_soup(options.model), console);
+    Soup soup = read_soup(options.model);
+    Input input;
+    if(options.features)
+      input.features = read_features(*options.features, soup);
+    input.model = make_model(options.model, std::move(soup), console);
+    if(options.compared_field)
+      input.compared_field = read_compared_field(*options.compared_field, input.model);
+    return input;
   }
   catch(const std::bad_alloc&)
   {
@@ -54,10 +78,10 @@ Model read_model(const Options& options, Console& console)
   }
 }
 
-Feature_map mark_features(const Options& options, Model& model, Console& console)
+Feature_map mark_features(const Options& options, Input& input, Console& console)
 {
-  return options.features ? mark_listed_features(*options.features, model, console)
-                          : mark_sharp_features(options.feature_angle, model);
+  return options.features ? mark_listed_features(*options.features, input.features, input.model, console)
+                          : detect_features(options, input.model);
 }
 
 void split_faces(Mesh& mesh, const Feature_map is_feature, Summary& summary)
@@ -65,6 +89,7 @@ void split_faces(Mesh& mesh, const Feature_map is_feature, Summary& summary)
   summary.faces = mesh.number_of_faces();
   summary.vertices = mesh.number_of_vertices();
   summary.feature_edges = count_features(mesh, is_feature);
+  CGAL::Frame_fields::dangling_feature_ends(mesh, is_feature, std::back_inserter(summary.dangling_ends));
   summary.split_faces = CGAL::Frame_fields::split_overconstrained_faces(
     mesh, CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature));
   summary.faces_after_split = mesh.number_of_faces();
@@ -89,6 +114,12 @@ void write_meshes(const Options& options, Mesh& mesh, const Feature_map is_featu
     write_file(*options.vtp, [&](std::ostream& out)
                { write_vtp(out, vtp_content(mesh, is_feature, all_sectors, field,
                                             streamlines(mesh, is_feature, field, options))); });
+  for(const std::string& path : options.fields)
+    write_file(path, [&](std::ostream& out)
+               { write_field(out, field_format_of(path), mesh, is_feature, field); });
+  if(options.written_features)
+    write_file(*options.written_features, [&](std::ostream& out)
+               { write_features(out, feature_format_of(*options.written_features), mesh, is_feature); });
 }
 
 Summary run(const Options& options)
@@ -97,18 +128,21 @@ Summary run(const Options& options)
   Console console(options.is_quiet);
   Summary summary;
 
-  Model model;
-  summary.seconds_reading = seconds_of([&] { model = read_model(options, console); });
-  Mesh& mesh = model.mesh;
-  const Feature_map is_feature = mark_features(options, model, console);
+  Input input;
+  summary.seconds_reading = seconds_of([&] { input = read_input(options, console); });
+  Mesh& mesh = input.model.mesh;
+  const Feature_map is_feature = mark_features(options, input, console);
   split_faces(mesh, is_feature, summary);
   const std::vector<Sector> all_sectors = sectors(mesh, is_feature);
 
   if(options.computes_baseline)
     summary.seconds_baseline = seconds_of([&]
       { summarize_baseline(options, mesh, is_feature, all_sectors, console, summary); });
-  const Field field = compute_field(model, is_feature, options, console);
+  const Field field = compute_field(input.model, is_feature, options, console);
   summarize_field(mesh, is_feature, all_sectors, field, summary);
+  if(options.compared_field)
+    summary.compared =
+      compare_field(options, input.compared_field, mesh, summary.vertices, is_feature, all_sectors);
 
   summary.seconds_writing = seconds_of([&]
     { write_meshes(options, mesh, is_feature, all_sectors, field, console); });
@@ -131,18 +165,25 @@ int fail(const Exit_code exit_code, const char* const message)
   return exit_code;
 }
 
+Exit_code run_one(const Options& options)
+{
+  remove_unfinished_file_at_signals();
+  const Thread_limit thread_limit(options.number_of_threads);
+  const Summary summary = run(options);
+  if(!options.is_quiet)
+    print_table(summary, options.is_verbose);
+  return DONE;
+}
+
 int main(const int argc, char** const argv)
 try
 {
-  const std::optional<Options> options = read_options(argc, argv);
-  if(options)
-  {
-    const Summary summary = run(*options);
-    if(!options->is_quiet)
-      print_table(summary, options->is_verbose);
-  }
+  const std::optional<Command_line> command_line = read_command_line(argc, argv);
+  Exit_code exit_code = DONE;
+  if(command_line)
+    exit_code = command_line->batch ? run_batch(*command_line->batch) : run_one(command_line->options);
   check_standard_output();
-  return DONE;
+  return exit_code;
 }
 catch(const Failure& failure)
 {

@@ -25,6 +25,8 @@
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
+#include <CGAL/Frame_fields/detect_feature_edges.h>
+#include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/frame_field_quality.h>
 #include <CGAL/Frame_fields/frame_vectors.h>
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>

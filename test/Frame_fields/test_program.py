@@ -4,6 +4,7 @@
 import argparse
 import collections
 import csv
+import fcntl
 import functools
 import json
 import math
@@ -12,13 +13,16 @@ import pathlib
 import pty
 import re
 import resource
+import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
-DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED = range(4)
+DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED, MODEL_FAILED = range(5)
 QUARTER_TURN = math.pi / 2
 MAXIMUM_SKEWNESS = 0.45 * math.pi
 
@@ -387,11 +391,21 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
-        for option in ("MODEL", "--features", "--feature-angle", "--support", "none", "local", "rings:K", "component",
-                       "--sharp-corner-bound", "--no-repair", "--no-relaxation", "--no-baseline", "-o", "--ascii",
-                       "--vtp", "--report", "--quiet", "--help", "--version", "Exit codes"):
+        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
+                       "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
+                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
+                       "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp",
+                       "--field", "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose", "--help",
+                       "--version", "Exit codes"):
             with self.subTest(option):
                 self.assertIn(option, text)
+                self.assertIn(option.lower(), manual.lower())
+
+    def test_manual_names_every_option_of_the_help(self):
+        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        for option in re.findall(r"^  .*?(--[a-z-]+)", self.succeed("--help").stdout, re.MULTILINE):
+            self.assertIn(option, manual)
 
     def test_version_is_that_of_the_project(self):
         cmake = (paths.sources / "CMakeLists.txt").read_text()
@@ -412,6 +426,19 @@ class Usage(ProgramTest):
                 ("--sharp-corner-bound", "cube.off --sharp-corner-bound -1"),
                 ("--feature-angle", "cube.off --feature-angle sharp"),
                 ("--feature-angle", "cube.off --feature-angle 181"),
+                ("--weak-angle", "cube.off --weak-angle nan"), ("--weak-angle", "cube.off --weak-angle 41"),
+                ("--min-chain-length", "cube.off --min-chain-length -1"),
+                ("--min-chain-length", "cube.off --min-chain-length nan"),
+                ("--weak-angle", "cube.off --features model.feat --weak-angle 30"),
+                ("--close-gaps", "cube.off --features model.feat --close-gaps"),
+                ("--min-chain-length", "cube.off --features model.feat --min-chain-length 3"),
+                ("--threads", "cube.off --threads 0"), ("--threads", "cube.off --threads many"),
+                (".rosy", "cube.off --field out.txt"), (".rosy", "cube.off --compare model.feat"),
+                ("--out-dir", "--batch list"), ("--batch", "cube.off --jobs 2"), ("--batch", "cube.off --timeout 2"),
+                ("MODEL", "cube.off --batch list --out-dir out"), ("--report", "--batch list --out-dir out --report r"),
+                ("--jobs", "--batch list --out-dir out --jobs 0"),
+                ("--timeout", "--batch list --out-dir out --timeout 0"),
+                ("{}", "--batch list --out-dir out -o out.ply"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
                 ("--output", "cube.off -o"), ("--output", "cube.off -o a.ply -o b.ply"),
                 ("--quiet", "cube.off --quiet=1")):
@@ -423,7 +450,8 @@ class Usage(ProgramTest):
     def test_files_that_are_the_same_under_any_name(self):
         self.write_cube()
         self.write_features(CUBE_EDGES)
-        for arguments in ("-o out --vtp out", "-o out --report ./out", "--report cube.off", "--report ./cube.off",
+        for arguments in ("-o out --vtp out", "-o out --report ./out", "--field a.rosy --field a.rosy",
+                          "--write-features cube.off", "--report cube.off", "--report ./cube.off",
                           "--features model.feat --vtp model.feat"):
             with self.subTest(arguments):
                 self.assert_fails(BAD_USAGE, arguments.split("/")[-1].split()[-1], "cube.off", *arguments.split())
@@ -442,6 +470,7 @@ class Usage(ProgramTest):
             self.assertEqual(list(map(int, numbers)), list(report["index_histogram"][key].values()), row)
         for row, key in (("orthogonal energy", "energy_orthogonal"), ("relaxed energy", "energy_relaxed")):
             self.assertAlmostEqual(float(rows[row]) / report[key], 1, delta=1e-5, msg=row)
+        self.assertEqual(int(rows["dangling ends"]), len(report["dangling_ends"]))
         self.assertEqual(len([line for line in table.splitlines() if line.startswith("  ")]), 5, "stages")
 
     def test_quiet_prints_nothing(self):
@@ -534,6 +563,200 @@ class InvalidInput(ProgramTest):
                           "--vtp", "out.vtp", "--report", "out.json")
 
 
+def cube_text(scale=1.0):
+    return off_text([tuple(scale * coordinate for coordinate in point) for point in CUBE_POINTS], CUBE_FACES)
+
+
+class HostileInput(ProgramTest):
+    """Whatever the input: a documented exit code, one line for an error, no partial output, inputs as they were."""
+
+    OUTPUTS = ("out.ply", "out.vtp", "out.json", "out.rawfield")
+
+    def run_with_outputs(self, *arguments):
+        before = self.content_of_folder()
+        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--report", "out.json",
+                                     "--field", "out.rawfield", "--quiet")
+        after = self.content_of_folder()
+        self.assertEqual({name: after[name] for name in before}, before, "inputs are changed")
+        expected = set(before) | (set(self.OUTPUTS) if completed.returncode == DONE else set())
+        self.assertEqual(set(after), expected)
+        for name in set(after) - set(before):
+            os.remove(self.folder / name)
+        if completed.returncode == DONE:
+            field = Field(after["out.ply"], json.loads(after["out.json"]))
+            self.assertTrue(all(map(math.isfinite, field.alpha + field.rho)))
+        else:
+            self.assertIn(completed.returncode, (BAD_FILE, NOT_SOLVED))
+            self.assertRegex(completed.stderr.splitlines()[-1], r"\Acad_frame_field: error: [^:]+: .")
+        return completed
+
+    def test_coordinates_of_any_size(self):
+        for scale in (1e300, 1e150, 1e-150, 1e-300):
+            with self.subTest(scale):
+                completed = self.run_with_outputs(self.write("cube.off", cube_text(scale)))
+                self.assertEqual(completed.returncode, DONE, completed.stderr)
+                self.assertEqual(counts(self.report("cube.off")), CUBE_COUNTS)
+                os.remove(self.folder / "out.json")
+
+    def test_sizes_that_do_not_go_together(self):
+        for name, point in (("far", (1e300, 1e300, 1e300)), ("near", (1e-300, 0, 0)),
+                            ("largest", (1.7e308, -1.7e308, 0)), ("smallest", (5e-324, 0, 0))):
+            with self.subTest(name):
+                points = [*CUBE_POINTS[:6], point, CUBE_POINTS[7]]
+                self.run_with_outputs(self.write("cube.off", off_text(points, CUBE_FACES)))
+
+    def test_faces_without_area(self):
+        middle = [(0.5, 0, 0), (0.5, 0, 1)]
+        for name, points, faces in (
+                ("collinear", CUBE_POINTS + middle[:1], [*CUBE_FACES, (0, 1, 8)]),
+                ("cap", CUBE_POINTS + middle[:1], [f for f in CUBE_FACES if set(f) != {0, 1, 5}]
+                 + [(0, 8, 5), (8, 1, 5), (0, 1, 8)]),
+                ("zero length", CUBE_POINTS + [CUBE_POINTS[0]], [*CUBE_FACES, (0, 8, 1)]),
+                ("all in a line", [(k, 0, 0) for k in range(4)], [(0, 1, 2), (1, 2, 3)]),
+                ("one point", [(1, 2, 3)] * 3, [(0, 1, 2)]),
+                ("needle", [(0, 0, 0), (1, 0, 0), (1, 1e-200, 0)], [(0, 1, 2)])):
+            with self.subTest(name):
+                self.run_with_outputs(self.write("model.off", off_text(points, faces)))
+
+    def test_surfaces_that_are_no_manifolds(self):
+        strip = [(math.cos(a) * (2 + w * math.cos(a / 2)), math.sin(a) * (2 + w * math.cos(a / 2)), w * math.sin(a / 2))
+                 for a in (2 * math.pi * k / 12 for k in range(12)) for w in (-0.5, 0.5)]
+        quads = [(2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2) for k in range(11)] + [(22, 23, 0, 1)]
+        moebius = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+        wing = [(0, 0, 2), (0, 2, 0)]
+        for name, points, faces in (
+                ("Moebius strip", strip, moebius), ("Moebius strip of quadrangles", strip, quads),
+                ("edge of three faces", CUBE_POINTS + wing, [*CUBE_FACES, (0, 1, 8)]),
+                ("edge of four faces", CUBE_POINTS + wing, [*CUBE_FACES, (0, 1, 8), (1, 0, 9)]),
+                ("vertex of two fans", CUBE_POINTS + [(-1, 0, 0), (0, -1, -1)], [*CUBE_FACES, (0, 8, 9)]),
+                ("isolated vertices", [*CUBE_POINTS, (9, 9, 9), (8, 8, 8)], CUBE_FACES),
+                ("isolated vertex that is no number", [*CUBE_POINTS, (math.nan, 0, 0)], CUBE_FACES),
+                ("duplicate faces", CUBE_POINTS, CUBE_FACES * 2),
+                ("opposite faces", CUBE_POINTS, CUBE_FACES + [face[::-1] for face in CUBE_FACES]),
+                ("face that touches itself", CUBE_POINTS, [*CUBE_SQUARES, (0, 1, 0, 3)]),
+                ("face of two vertices", CUBE_POINTS, [*CUBE_FACES, (0, 1)]),
+                ("concave polygon", [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.1, 0), (0, 2, 0)], [(0, 1, 2, 3, 4)]),
+                ("polygon that crosses itself", [(0, 0, 0), (2, 2, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2, 3)]),
+                ("twisted quadrangle", [(0, 0, 0), (1, 0, 1), (1, 1, 0), (0, 1, 1)], [(0, 1, 2, 3)])):
+            with self.subTest(name):
+                self.run_with_outputs(self.write("model.off", off_text(points, faces)))
+
+    def test_files_cut_at_any_byte(self):
+        for name, text in (("model.off", off_text), ("model.obj", obj_text), ("model.ply", ply_text),
+                           ("model.stl", stl_text)):
+            content = text(CUBE_POINTS, CUBE_FACES)
+            for end in range(0, len(content), 37):
+                with self.subTest(name, end=end):
+                    self.run_with_outputs(self.write(name, content[:end]))
+
+    def test_folders_without_permission(self):
+        self.write_cube()
+        self.assert_fails(BAD_FILE, "/proc/out.ply", "cube.off", "-o", "/proc/out.ply")
+        if os.geteuid() == 0:
+            self.skipTest("nothing is forbidden to root")
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.assert_fails(BAD_FILE, "no permission", "cube.off", "-o", "locked/out.ply")
+        os.chmod(self.folder / "cube.off", 0)
+        self.assert_fails(BAD_FILE, "permissions", "cube.off")
+
+    def test_190_of_200_models_succeed_and_each_of_10_broken_ones_tells_what_it_is(self):
+        broken = {
+            "missing.off": None, "empty.off": "", "nan.off": cube_text().replace("1.0 0.0 0.0", "1 nan 0"),
+            "faceless.off": off_text(CUBE_POINTS, []), "index.off": off_text(CUBE_POINTS, [(0, 1, 8)]),
+            "cut.off": cube_text()[:100], "kind.xyz": cube_text(), "noply.ply": cube_text(),
+            "degenerate.off": off_text(CUBE_POINTS, [(0, 0, 1)]), "noobj.obj": "f 1 2 0\n"}
+        for name, text in broken.items():
+            if text is not None:
+                self.write(name, text)
+        names = list(broken)
+        for k in range(190):
+            names.insert(20 * k // 19, self.write(f"cube_{k}.off", cube_text(1 + k)))
+        codes, messages = collections.Counter(), {}
+        for name in names:
+            completed = self.run_program(name, "--quiet", "--no-baseline", "-o", "out.ply")
+            codes[completed.returncode] += 1
+            if completed.returncode != DONE:
+                messages[name] = completed.stderr.splitlines()[-1]
+        self.assertEqual(codes, {DONE: 190, BAD_FILE: 10})
+        self.assertEqual(set(messages), set(broken))
+        for name, message in messages.items():
+            self.assertTrue(message.startswith(f"cad_frame_field: error: {name}: "), message)
+        self.assertEqual(len({message.split(": ", 3)[3] for message in messages.values()}), 10, messages)
+
+
+class Signals(ProgramTest):
+    def start(self, *arguments, **settings):
+        return subprocess.Popen([paths.program, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **settings)
+
+    def grid(self, number):
+        """A fine square grid with a height, as OFF."""
+        points = [(x, y, math.sin(x / 9) * math.cos(y / 7)) for y in range(number) for x in range(number)]
+        faces = [triangle for y in range(number - 1) for v in range(y * number, (y + 1) * number - 1)
+                 for triangle in ((v, v + 1, v + number + 1), (v, v + number + 1, v + number))]
+        return self.write("grid.off", off_text(points, faces))
+
+    def test_no_unfinished_file_is_left_whenever_the_signal_comes(self):
+        model = self.grid(90)
+        start = time.monotonic()
+        self.succeed(model, "-o", "whole.ply", "--ascii", "--vtp", "whole.vtp", "--quiet")
+        duration = time.monotonic() - start
+        whole = {path.suffix: path.read_bytes() for path in self.folder.glob("whole.*")}
+        endings = collections.Counter()
+        number = 24
+        for k in range(number):
+            for suffix in whole:
+                self.write("out" + suffix, "old")
+            process = self.start(model, "-o", "out.ply", "--ascii", "--vtp", "out.vtp", "--quiet")
+            time.sleep(duration * k / number)
+            sent = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[k % 3]
+            process.send_signal(sent)
+            status = process.wait()
+            self.assertIn(status, (DONE, -sent))
+            endings[status == DONE] += 1
+            self.assertEqual({path.name for path in self.folder.iterdir()},
+                             {model, "whole.ply", "whole.vtp", "out.ply", "out.vtp"})
+            for suffix, content in whole.items():
+                self.assertIn((self.folder / ("out" + suffix)).read_bytes(), (b"old", content))
+        self.assertGreater(endings[False], number // 4)
+
+    def test_signal_while_a_file_is_being_written(self):
+        model = self.grid(120)
+        interrupted = 0
+        for _ in range(8):
+            process = self.start(model, "-o", "out.ply", "--ascii", "--no-baseline", "--quiet")
+            while process.poll() is None and not list(self.folder.glob("*.part")):
+                pass
+            process.terminate()
+            interrupted += process.wait() == -signal.SIGTERM
+            self.assertFalse(list(self.folder.glob("*.part")))
+        self.assertGreater(interrupted, 0)
+
+    def test_signal_that_is_ignored_stays_so(self):
+        process = self.start(self.grid(60), "-o", "out.ply", "--quiet",
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.05)
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.wait(), DONE)
+
+
+class Threads(ProgramTest):
+    def test_output_does_not_depend_on_their_number(self):
+        arguments = (flange(), "--features", flange_features(), "--vtp", "out.vtp", "--field", "out.rawfield")
+        outputs = []
+        for number in ("1", "1", "2", "8"):
+            completed = self.run_program(flange(), "--threads", number, "--quiet")
+            if completed.returncode == BAD_USAGE and number != "1":
+                self.assertIn("without TBB", completed.stderr)
+                self.skipTest("the program was built without TBB")
+            outputs.append((self.output(*arguments, "--threads", number), (self.folder / "out.vtp").read_bytes(),
+                            (self.folder / "out.rawfield").read_bytes()))
+        for output in outputs:
+            self.assertEqual(output, outputs[0])
+        self.assertEqual(self.output(*arguments), outputs[0][0])
+
+
 class Outputs(ProgramTest):
     def test_outputs_that_cannot_be_written(self):
         cube = self.write_cube()
@@ -574,6 +797,18 @@ class Outputs(ProgramTest):
         self.succeed(self.write_cube(), "-o", link)
         self.assertTrue(link.is_symlink())
         self.assertTrue(link.read_text("latin-1").startswith("ply\n"))
+
+    def test_symbolic_link_to_nothing_makes_its_target(self):
+        (self.folder / "folder").mkdir()
+        link, second = self.folder / "link.ply", self.folder / "second.ply"
+        second.symlink_to("folder/target.ply")
+        link.symlink_to("second.ply")
+        self.succeed(self.write_cube(), "-o", link)
+        self.assertTrue(link.is_symlink() and second.is_symlink())
+        self.assertTrue((self.folder / "folder/target.ply").is_file())
+        lost = self.folder / "lost.ply"
+        lost.symlink_to("missing/target.ply")
+        self.assert_fails(BAD_FILE, "lost.ply: there is no folder", "cube.off", "-o", "lost.ply")
 
 
 class Report(ProgramTest):
@@ -992,6 +1227,401 @@ class Formats(ProgramTest):
             expected = {**counts(first), "faces": first["faces_after_split"], "split_faces": 0,
                         "vertices": first["vertices"] + first["split_faces"]}
             self.assertEqual(counts(report), expected)
+
+
+def words_of(path):
+    """The words of a text file without its comments."""
+    return [word for line in path.read_text().splitlines() for word in line.split("#")[0].split()]
+
+
+def threes(words):
+    return [tuple(map(float, words[i:i + 3])) for i in range(0, len(words), 3)]
+
+
+class FieldFormats(ProgramTest):
+    FORMATS = (".rawfield", ".rosy", ".ffield")
+
+    def write_fields(self, *options):
+        fields = [argument for end in self.FORMATS for argument in ("--field", "out" + end)]
+        self.succeed(flange(), "--features", flange_features(), *fields, "--write-features", "out.feat", "-o",
+                     "out.ply", "--quiet", *options)
+        field = Field((self.folder / "out.ply").read_bytes(), {})
+        self.write("again.off", off_text(field.points, field.faces))
+        return field
+
+    def test_directional_gets_the_four_vectors_counter_clockwise(self):
+        field = self.write_fields()
+        words = words_of(self.folder / "out.rawfield")
+        self.assertEqual(words[:2], ["4", str(len(field.faces))])
+        vectors = threes(words[2:])
+        self.assertEqual(vectors[::4], list(field.u))
+        self.assertEqual(vectors[1::4], list(field.v))
+        for f, normal in enumerate(field.normals):
+            around = vectors[4 * f:4 * f + 4]
+            for vector, successor in zip(around, around[1:] + around[:1]):
+                self.assertGreater(dot(cross(vector, successor), normal), 0)
+
+    def test_vcglib_gets_both_directions(self):
+        field = self.write_fields()
+        lines = (self.folder / "out.ffield").read_text().splitlines()
+        self.assertTrue(lines[0].startswith("#"))
+        self.assertEqual(int(lines[2]), len(field.faces))
+        rows = [tuple(map(float, line.split())) for line in lines[4:]]
+        self.assertEqual([row[2:5] for row in rows], list(field.u))
+        self.assertEqual([row[5:8] for row in rows], list(field.v))
+
+    def test_quadwild_gets_a_cross_that_follows_the_features(self):
+        field = self.write_fields()
+        words = words_of(self.folder / "out.rosy")
+        self.assertEqual(words[:2], [str(len(field.faces)), "4"])
+        directions = threes(words[2:])
+        for h, f in field.cut.face_of.items():
+            if (min(h), max(h)) in field.features:
+                self.assertLess(norm(cross(field.direction(h), directions[f])), 1e-9)
+        aligned = {field.cut.face_of[h] for e in field.features for h in (e, e[::-1]) if h in field.cut.face_of}
+        for f in set(range(len(field.faces))) - aligned:
+            turns = [math.atan2(dot(cross(directions[f], w), field.normals[f]), dot(directions[f], w)) / QUARTER_TURN
+                     for w in (field.u[f], field.v[f])]
+            differences = [turn - round(turn) for turn in turns]
+            self.assertAlmostEqual(differences[0], -differences[1], delta=1e-9)
+
+    def compared(self, end, *options):
+        return self.report("again.off", "--features", "out.feat", "--compare", "out" + end, *options)["compared"]
+
+    def test_own_frames_are_read_as_they_are(self):
+        self.write_fields()
+        expected = self.report("again.off", "--features", "out.feat", "--verbose")
+        for end in (".rawfield", ".ffield"):
+            compared = self.compared(end)
+            self.assertEqual(compared["unmeshable"], 0)
+            self.assertLess(compared["maximum_misalignment"], 1e-7)
+            self.assertEqual(compared["index_histogram"], expected["index_histogram"])
+            for name in ("energy", "curl", "mean_skewness"):
+                self.assertAlmostEqual(compared["quality"][name] / expected["quality"][name], 1, delta=1e-6)
+
+    def test_crosses_are_the_same_in_all_formats_and_lose_the_correction_at_corners_under_45_degrees(self):
+        self.write_fields("--no-relaxation")
+        compared = [self.compared(end) for end in self.FORMATS]
+        for figures in compared:
+            self.assertEqual(figures["index_histogram"], compared[0]["index_histogram"])
+            self.assertAlmostEqual(figures["quality"]["energy"] / compared[0]["quality"]["energy"], 1, delta=1e-9)
+            self.assertEqual(figures["unmeshable"], len(flange_cut().constrained_sectors_under(45)))
+
+    def test_fields_without_correction_are_told_from_those_with_it(self):
+        self.write_fields("--support", "none", "--no-repair", "--no-relaxation")
+        report = self.report("again.off", "--features", "out.feat", "--compare", "out.rosy")
+        self.assertEqual(report["compared"]["unmeshable"], report["unmeshable_before"])
+        self.assertGreater(report["compared"]["unmeshable"], 0)
+        self.assertEqual(report["unmeshable_after"], 0)
+        table = self.succeed("again.off", "--features", "out.feat", "--compare", "out.rosy").stdout
+        self.assertRegex(table, r"compared field\n(  .*\n)*  unmeshable corners +%d\n"
+                         % report["compared"]["unmeshable"])
+
+    def test_parts_of_a_split_face_have_the_directions_of_the_face(self):
+        """The field on the faces of the cube that its edges give: each has three parts."""
+        cube = self.write_cube()
+        directions = {0: (1.0, 0.0, 0.0), 1: (0.0, 1.0, 0.0), 2: (0.0, 0.0, 1.0)}
+        normals = [unit(cross(difference(CUBE_POINTS[b], CUBE_POINTS[a]), difference(CUBE_POINTS[c], CUBE_POINTS[a])))
+                   for a, b, c in CUBE_FACES]
+        rows = [next(d for d in directions.values() if abs(dot(d, normal)) < 0.5) for normal in normals]
+        self.write("cube.rosy", f"{len(rows)}\n4\n" + numbers_as_lines(rows))
+        compared = self.report(cube, "--compare", "cube.rosy")["compared"]
+        self.assertEqual(compared["index_histogram"], CUBE_COUNTS["index_histogram"])
+        self.assertAlmostEqual(compared["maximum_misalignment"], 0, delta=1e-9)
+        self.assertAlmostEqual(compared["quality"]["energy"], 0, delta=1e-12)
+
+    def test_wrong_fields(self):
+        cube = self.write_cube()
+        rows = numbers_as_lines([(1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0)] * 12)
+        for name, message, text in (
+                ("a.rosy", "a.rosy:1: the file ends", "12"),
+                ("b.rosy", "b.rosy:2: the field has 6 directions", "12\n6\n"),
+                ("c.rosy", "11 faces and the model 12", "11\n4\n"), ("d.rosy", "coordinate of a vector of face 1",
+                                                                     "12\n4\n1 0 0\n1 x 0\n"),
+                ("e.rawfield", "the file ends where a coordinate of a vector of face 11", "4 12\n" + rows[:-3]),
+                ("f.rawfield", "goes on", "4 12\n" + rows + "1\n"), ("g.ffield", "number of faces", "# frame\nx\n"),
+                ("h.rawfield", "h.rawfield: ", "4 12\n" + rows), ("i.rosy", "i.rosy: ", "12\n4\n" + "nan 0 0\n" * 12),
+                ("j.rosy", "negative", "-1\n4\n")):
+            with self.subTest(name):
+                self.write(name, text)
+                self.assert_fails(BAD_FILE, message, cube, "--compare", name)
+        self.assert_fails(BAD_FILE, "missing.rosy", cube, "--compare", "missing.rosy")
+        self.write("squares.off", off_text(CUBE_POINTS, CUBE_SQUARES))
+        completed = self.run_program("squares.off", "--compare", "c.rosy")
+        self.assertEqual(completed.returncode, BAD_FILE)
+        self.assertIn("needs no repair", completed.stderr)
+
+
+class FeatureFiles(ProgramTest):
+    def test_written_features_are_read_again(self):
+        self.succeed(flange(), "--features", flange_features(), "-o", "out.ply", "--quiet")
+        field = Field((self.folder / "out.ply").read_bytes(), {})
+        self.write("again.off", off_text(field.points, field.faces))
+        for name in ("out.feat", "out.sharp", "out.feature"):
+            with self.subTest(name):
+                self.succeed(flange(), "--features", flange_features(), "--write-features", name, "--quiet")
+                self.succeed("again.off", "--features", name, "-o", "again.ply", "--quiet")
+                self.assertEqual(Field((self.folder / "again.ply").read_bytes(), {}).features, field.features)
+
+    def test_format_of_quadwild(self):
+        """All edges of a cube are convex; each line names a face and which of its edges."""
+        cube = self.write_cube()
+        self.succeed(cube, "--write-features", "out.sharp", "-o", "out.ply", "--quiet")
+        faces = Field((self.folder / "out.ply").read_bytes(), {}).faces
+        number, *lines = (self.folder / "out.sharp").read_text().splitlines()
+        self.assertEqual(int(number), 12)
+        edges = set()
+        for line in lines:
+            convex, face, edge = map(int, line.split(","))
+            self.assertEqual(convex, 1)
+            edges.add(tuple(sorted((faces[face][edge], faces[face][(edge + 1) % 3]))))
+        self.assertEqual(sorted(edges), CUBE_EDGES)
+
+        inside_out = self.write("inside_out.off", off_text(CUBE_POINTS, [face[::-1] for face in CUBE_FACES]))
+        self.succeed(inside_out, "--write-features", "concave.sharp", "--quiet")
+        self.assertEqual({line[0] for line in (self.folder / "concave.sharp").read_text().splitlines()[1:]}, {"0"})
+
+    def test_commas_and_blanks_separate(self):
+        cube = self.write_cube()
+        places = [(f, k) for edge in CUBE_EDGES for f, face in enumerate(CUBE_FACES) for k in range(3)
+                  if (face[k], face[(k + 1) % 3]) == edge]
+        self.assertEqual(len(places), 12)
+        self.write("commas.sharp", "12\n" + "".join(f"1,{f},{k}\n" for f, k in places))
+        self.write("blanks.sharp", "# all edges\n12\n" + "".join(f"0 {f} {k}\n" for f, k in places))
+        self.write("pairs.feature", "12\n" + "".join(f"{f},{k}\n" for f, k in places))
+        for name in ("commas.sharp", "blanks.sharp", "pairs.feature"):
+            self.assertEqual(counts(self.report(cube, "--features", name)), CUBE_COUNTS)
+
+    def test_wrong_files(self):
+        cube = self.write_cube()
+        for message, text in (
+                ("x.sharp:1: ", "twelve\n"), ("x.sharp:2: the model has no face 12", "1\n1,12,0\n"),
+                ("x.sharp:2: face 3 has no edge 3", "1\n1,3,3\n"), ("x.sharp:2: ", "1\n1,-1,0\n"),
+                ("x.sharp:2: a line must hold", "1\n1,2\n"), ("announces 2 edges and there are 1", "2\n1,0,0\n"),
+                ("announces 0", "# nothing\n")):
+            with self.subTest(message):
+                self.write("x.sharp", text)
+                self.assert_fails(BAD_FILE, message, cube, "--features", "x.sharp")
+
+
+class FeatureDetection(ProgramTest):
+    def roof(self, angles):
+        """A long roof whose ridge has the mean of the angles of two neighbours, in degrees, at each of its edges."""
+        points, faces = [], []
+        for k, angle in enumerate(angles):
+            slope = math.tan(math.radians(angle / 2))
+            points += [(-1.0, 100.0 * k, -slope), (0.0, 100.0 * k, 0.0), (1.0, 100.0 * k, -slope)]
+            for v in (3 * k, 3 * k + 1) if k + 1 < len(angles) else ():
+                faces += [(v, v + 1, v + 4), (v, v + 4, v + 3)]
+        return self.write("roof.off", off_text(points, faces))
+
+    def ridge(self, *options):
+        """The lengths, in hundreds, of the features at the ridge by their beginning, and the dangling ends."""
+        report = self.report("roof.off", "--write-features", "out.feat", "--feature-angle", "18", *options)
+        pairs = read_features(self.folder / "out.feat")
+        rows = sorted(min(a, b) // 3 for a, b in pairs if a % 3 == b % 3 == 1)
+        return rows, [vertex // 3 for vertex in report["dangling_ends"] if vertex % 3 == 1]
+
+    def test_hysteresis(self):
+        self.roof([30, 26, 22, 18, 14, 10, 6])
+        self.assertEqual(self.ridge(), ([0, 1, 2], [3]))
+        self.assertEqual(self.ridge("--weak-angle", "10"), ([0, 1, 2, 3, 4], [5]))
+
+    def test_gaps_of_one_edge(self):
+        self.roof([24, 24, 14, 14, 24, 24])
+        self.assertEqual(self.ridge(), ([0, 1, 3, 4], [2, 3]))
+        self.assertEqual(self.ridge("--close-gaps"), ([0, 1, 2, 3, 4], []))
+
+    def test_short_chains(self):
+        self.roof([24, 24, 24, 14, 14, 24, 14, 14])
+        self.assertEqual(self.ridge(), ([0, 1, 2, 4, 5], [3, 4, 6]))
+        self.assertEqual(self.ridge("--min-chain-length", "201"), ([0, 1, 2], [3]))
+        self.assertEqual(self.ridge("--min-chain-length", "301"), ([], []))
+
+    def test_report_tells_the_options(self):
+        options = self.report(self.roof([24, 24]), "--feature-angle", "30", "--weak-angle", "20", "--close-gaps",
+                              "--min-chain-length", "7")["options"]
+        self.assertEqual([options[key] for key in ("feature_angle", "weak_angle", "close_gaps", "min_chain_length")],
+                         [30, 20, True, 7])
+
+
+class Batch(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        for k in range(5):
+            self.write(f"cube {k}.off", cube_text(1 + k))
+        self.write_features(CUBE_EDGES)
+        self.write("broken.off", cube_text()[:100])
+        self.write("list", '# models\n"cube 0.off" model.feat\n"cube 1.off"\nbroken.off\n"cube 2.off" "model.feat"\n'
+                           'missing.off\n\n"cube 3.off"\n"cube 4.off" cube.txt\n')
+
+    def run_batch(self, *options, **settings):
+        return self.run_program("--batch", "list", "--out-dir", "out", *options, **settings)
+
+    def results(self):
+        lines = (self.folder / "out/results.jsonl").read_text().splitlines()
+        return {result["model"]: result for result in map(json.loads, lines)}, len(lines)
+
+    def test_each_model_has_a_line_and_a_broken_one_takes_no_other_along(self):
+        completed = self.run_batch("--jobs", "3", "-o", "{}.ply", "--no-relaxation")
+        self.assertEqual((completed.returncode, completed.stderr), (MODEL_FAILED, ""))
+        self.assertRegex(completed.stdout, "7 models computed, 3 of them failed; 0 ")
+        results, number = self.results()
+        self.assertEqual(number, 7)
+        for k in range(4):
+            result = results[f"cube {k}.off"]
+            self.assertEqual((result["exit_code"], result["error"], result["signal"]), (DONE, None, None))
+            self.assertEqual(counts(result["report"]), CUBE_COUNTS)
+            self.assertFalse(result["report"]["options"]["relaxation"])
+            self.assertEqual(result["features"], "model.feat" if k in (0, 2) else None)
+            self.assertTrue((self.folder / f"out/cube {k}.ply").is_file())
+        for name, file in (("broken.off", "broken.off"), ("missing.off", "missing.off"), ("cube 4.off", "cube.txt")):
+            self.assertEqual((results[name]["exit_code"], results[name]["report"]), (BAD_FILE, None))
+            self.assertTrue(results[name]["error"].startswith(f"cad_frame_field: error: {file}: "), results[name])
+        self.assertEqual(len(list((self.folder / "out").iterdir())), 5)
+
+    def test_starts_again_where_it_stopped(self):
+        self.run_batch("--jobs", "2")
+        log = self.folder / "out/results.jsonl"
+        lines = log.read_bytes().splitlines(keepends=True)
+        log.write_bytes(b"".join(lines[:3]) + lines[3][:50])  # as if the machine had failed
+        completed = self.run_batch()
+        self.assertRegex(completed.stdout, "4 models computed, . of them failed; 3 ")
+        results, number = self.results()
+        self.assertEqual((len(results), number), (7, 7))
+        self.assertTrue(log.read_bytes().startswith(b"".join(lines[:3])))
+        self.assertEqual(self.run_batch("--quiet").stdout, "")
+        self.assertEqual(self.results()[1], 7)
+        self.run_batch("--no-repair")  # which is another result
+        self.assertEqual(self.results()[1], 14)
+
+    def test_model_that_takes_too_long_or_too_much_memory(self):
+        self.run_batch("--timeout", "0.0001", "--jobs", "1")
+        results, number = self.results()
+        self.assertEqual(number, 7)
+        self.assertIn("stopped after the --timeout", {result["error"] for result in results.values()})
+        for result in results.values():
+            self.assertTrue(result["signal"] == signal.SIGTERM or result["exit_code"] in (DONE, BAD_FILE))
+
+    def test_signal_stops_it_and_it_can_go_on(self):
+        self.write("list", "".join(self.write(f"model_{k}.off", cube_text(1 + k)) + "\n" for k in range(200)))
+        arguments = ("--batch", "list", "--out-dir", "out", "--jobs", "2", "-o", "{}.ply")
+        process = subprocess.Popen([paths.program, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        log = self.folder / "out/results.jsonl"
+        while process.poll() is None and not (log.is_file() and log.stat().st_size):
+            time.sleep(0.001)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), -signal.SIGINT)
+        _, number = self.results()
+        self.assertTrue(0 < number < 200)
+        self.assertFalse(list((self.folder / "out").glob("*.part")))
+        self.assertEqual(self.run_program(*arguments).returncode, DONE)
+        results, total = self.results()
+        self.assertEqual((len(results), total), (200, 200))
+
+    def test_two_batches_do_not_write_to_one_folder(self):
+        (self.folder / "out").mkdir()
+        with open(self.folder / "out/results.jsonl", "a") as log:
+            fcntl.flock(log, fcntl.LOCK_EX)
+            self.assert_fails(BAD_FILE, "another batch", "--batch", "list", "--out-dir", "out")
+
+    def test_wrong_lists(self):
+        for message, text in (("list: there are no models", "# none\n"), ("list:2: ", "a.off\na.off b c\n"),
+                              ("list:1: ", '""\n')):
+            self.write("list", text)
+            completed = self.run_batch()
+            self.assertEqual(completed.returncode, BAD_FILE)
+            self.assertIn(message, completed.stderr)
+        self.write("list", "a/x.off\nb/x.off\n")
+        completed = self.run_batch("-o", "{}.ply")
+        self.assertEqual(completed.returncode, BAD_FILE)
+        self.assertIn("a/x.off and b/x.off", completed.stderr)
+        self.assert_fails(BAD_FILE, "nowhere", "--batch", "nowhere", "--out-dir", "out")
+        self.assert_fails(BAD_FILE, "list: this folder", "--batch", "list", "--out-dir", "list")
+        self.assertFalse((self.folder / "out").exists())
+        (self.folder / "out").mkdir()
+        (self.folder / "out/results.jsonl").write_text("no result\n")
+        self.assert_fails(BAD_FILE, "results.jsonl:1: ", "--batch", "list", "--out-dir", "out")
+
+    def test_the_same_with_gnu_parallel(self):
+        parallel = shutil.which("parallel")
+        if not parallel or "GNU" not in run(parallel, "--version").stdout:
+            self.skipTest("there is no GNU parallel")
+        self.run_batch("--jobs", "2")
+        (self.folder / "single").mkdir()
+        self.write("models", "".join(f"cube {k}.off\n" for k in range(4)) + "broken.off\n")
+        completed = run(parallel, "--will-cite", "--jobs", "2", "--joblog", "log", "--resume", paths.program, "{}",
+                        "--quiet", "--threads", "1", "--report", "single/{/.}.json", "::::", "models", cwd=self.folder)
+        self.assertEqual(completed.returncode, 1)  # the number of failed jobs
+        results, _ = self.results()
+        for k in range(4):
+            report = json.loads((self.folder / f"single/cube {k}.json").read_text())
+            self.assertEqual(counts(report), counts(results[f"cube {k}.off"]["report"]))
+        self.assertEqual(len(list((self.folder / "single").iterdir())), 4)
+        self.assertEqual(len((self.folder / "log").read_text().splitlines()), 1 + 5)
+
+
+class Step(ProgramTest):
+    """Runs the example that meshes a STEP file."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.python = next((python for python in ("/usr/bin/python3", sys.executable) if os.access(python, os.X_OK)
+                           and run(python, "-c", "import gmsh; gmsh.initialize()").returncode == 0), None)
+
+    SOLID = """
+import gmsh
+gmsh.initialize()
+gmsh.option.setNumber("General.Terminal", 0)
+occ = gmsh.model.occ
+box = occ.addBox(0, 0, 0, 4, 3, 2)
+hole = occ.addCylinder(2, 1.5, 0, 0, 0, 2, 0.7)
+(solid,), _ = occ.cut([(3, box)], [(3, hole)])
+occ.synchronize()
+edge, = [tag for _, tag in gmsh.model.getEntitiesInBoundingBox(-0.1, -0.1, 1.9, 0.1, 3.1, 2.1, 1)]
+occ.fillet([solid[1]], [edge], [0.5])
+occ.synchronize()
+gmsh.write("solid.step")
+"""
+
+    def test_box_with_a_hole_and_a_fillet(self):
+        if self.python is None:
+            self.skipTest("there is no gmsh for Python")
+        made = run(self.python, "-c", self.SOLID, cwd=self.folder)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        script = paths.sources / "examples/Frame_fields/step_to_frame_field.py"
+        completed = run(self.python, script, "solid.step", "--size", "0.3", "--program", paths.program,
+                        "--", "-o", "out.ply", "--report", "out.json", "--quiet", cwd=self.folder)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        report = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual(report["unmeshable_after"], 0)
+        self.assertEqual((report["dangling_ends"], report["warnings"]), ([], []))
+        self.assertEqual(report["patches"], 8)  # six sides, the hole and the fillet
+
+        field = Field((self.folder / "out.ply").read_bytes(), report)
+        self.assert_poincare_hopf(field)
+        length = sum(norm(difference(field.points[a], field.points[b])) for a, b in field.features)
+        straight = 4 * (4 + 3 + 2) - 3 - 4 * 0.5 + 3 + 3  # without the edge of the fillet and what it cuts off
+        arcs = 2 * 0.5 * QUARTER_TURN + 2 * 2 * math.pi * 0.7
+        self.assertLessEqual(length, straight + arcs + 1e-9)
+        self.assertAlmostEqual(length, straight + arcs, delta=0.02 * arcs)  # chords are shorter than their arcs
+        for a, b in field.features:  # on curves: the ends are where at least two of the surfaces meet
+            for x, y, z in (field.points[a], field.points[b]):
+                on = [abs(x) < 1e-6, abs(x - 4) < 1e-6, abs(y) < 1e-6, abs(y - 3) < 1e-6, abs(z) < 1e-6,
+                      abs(z - 2) < 1e-6, abs(math.hypot(x - 2, y - 1.5) - 0.7) < 1e-6,
+                      x < 0.5 + 1e-6 and z > 1.5 - 1e-6 and abs(math.hypot(x - 0.5, z - 1.5) - 0.5) < 1e-6]
+                self.assertGreaterEqual(sum(on), 2)
+
+    def test_file_that_is_no_step(self):
+        if self.python is None:
+            self.skipTest("there is no gmsh for Python")
+        script = paths.sources / "examples/Frame_fields/step_to_frame_field.py"
+        completed = run(self.python, script, self.write("wrong.step", "nothing"), "--program", paths.program,
+                        cwd=self.folder)
+        self.assertEqual(completed.returncode, 2)
+        self.assertIn("wrong.step", completed.stderr)
+        self.assertEqual(set(self.content_of_folder()), {"wrong.step"})
 
 
 class CgalModels(ProgramTest):

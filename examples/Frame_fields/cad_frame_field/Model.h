@@ -25,6 +25,7 @@ struct Model
   Mesh mesh;
   std::vector<std::size_t> place_in_file; // by vertex of the file
   std::vector<std::size_t> place_in_mesh; // by vertex of the mesh
+  bool has_faces_of_file;                 // in the same order
 };
 
 // Numbers places by their coordinates, which no repair changes.
@@ -43,13 +44,14 @@ private:
   std::map<Point, std::size_t> m_numbers;
 };
 
-inline void triangulate(const std::string& path, Mesh& mesh, Console& console)
+// Tells whether there was nothing to do.
+inline bool triangulate(const std::string& path, Mesh& mesh, Console& console)
 {
   std::size_t number_of_polygons = 0;
   for(const Face f : mesh.faces())
     number_of_polygons += !CGAL::is_triangle(mesh.halfedge(f), mesh);
   if(number_of_polygons == 0)
-    return;
+    return true;
 
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   mesh.collect_garbage();
@@ -58,6 +60,7 @@ inline void triangulate(const std::string& path, Mesh& mesh, Console& console)
       throw Failure(BAD_FILE, path + ": the face at vertex " + std::to_string(mesh.target(mesh.halfedge(f)).idx())
                               + " (counted from 0) cannot be triangulated; triangulate it before");
   console.warn(path + ": faces of more than three vertices triangulated: " + std::to_string(number_of_polygons));
+  return false;
 }
 
 // A soup of triangles that share no vertices is a mesh, too, but hardly what the user means.
@@ -98,7 +101,7 @@ inline Model make_model(const std::string& path, Soup soup, Console& console)
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, model.mesh);
   if(keeps_soup)
     warn_of_touching_borders(path, model.mesh, console);
-  triangulate(path, model.mesh, console);
+  model.has_faces_of_file = triangulate(path, model.mesh, console) && keeps_soup;
   return model;
 }
 

@@ -2,7 +2,8 @@
 #define CAD_FRAME_FIELD_OPTIONS_H
 
 #include "Failure.h"
-#include "known_extensions.h"
+#include "field_formats.h"
+#include "option_descriptions.h"
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
@@ -14,10 +15,8 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -25,8 +24,10 @@
 struct Options
 {
   std::string model;
-  std::optional<std::string> features, index_targets;
-  double feature_angle; // degrees
+  std::optional<std::string> features, index_targets, compared_field;
+  double feature_angle, weak_angle; // degrees
+  bool closes_gaps;
+  double minimum_chain_length;
   std::string support;
   double sharp_corner_bound; // degrees
   CGAL::Frame_fields::Edge_weighting edge_weighting;
@@ -34,12 +35,32 @@ struct Options
   bool repairs_matching;
   bool relaxes_orthogonality;
   bool computes_baseline;
+  std::optional<int> number_of_threads; // nothing for all cores
 
-  std::optional<std::string> ply, vtp, report;
+  std::optional<std::string> ply, vtp, report, written_features;
+  std::vector<std::string> fields;
   std::optional<double> streamline_spacing; // 0 for the default
   bool writes_ascii;
   bool is_quiet, is_verbose;
 };
+
+inline std::vector<std::string> inputs_of(const Options& options)
+{
+  std::vector<std::string> result{ options.model };
+  for(const auto& path : { options.features, options.index_targets, options.compared_field })
+    if(path)
+      result.push_back(*path);
+  return result;
+}
+
+inline std::vector<std::string> outputs_of(const Options& options)
+{
+  std::vector<std::string> result = options.fields;
+  for(const auto& path : { options.ply, options.vtp, options.written_features, options.report })
+    if(path)
+      result.push_back(*path);
+  return result;
+}
 
 inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::string& text)
 {
@@ -79,59 +100,6 @@ inline CGAL::Frame_fields::Edge_weighting edge_weighting_from(const std::string&
   throw Failure(BAD_USAGE, "--edge-weights is '" + text + "' and must be uniform or geometric");
 }
 
-inline boost::program_options::options_description option_descriptions()
-{
-  namespace po = boost::program_options;
-  const auto file = [] { return po::value<std::string>()->value_name("FILE"); };
-  po::options_description options("Options", 100);
-  options.add_options()
-    ("features", file(),
-     "read the feature edges: two vertex indices of MODEL a line, counted from 0; # starts a comment")
-    ("feature-angle", po::value<double>()->value_name("DEG")->default_value(40, "40"),
-     "without --features: edges whose faces' normals differ by DEG degrees or more are features")
-    ("support", po::value<std::string>()->value_name("S")->default_value("rings:4"),
-     "where the rotation prescribed at sharp corners is compensated: none, local, rings:K, radius:R\n"
-     "(a length of the model), radius (from the lengths of the feature curves) or component")
-    ("edge-weights", po::value<std::string>()->value_name("W")->default_value("uniform"),
-     "uniform, or geometric: by the shapes of the triangles, so that the field depends little on the mesh")
-    ("curvature-weight", po::value<double>()->value_name("W")->default_value(0, "0"),
-     "how strongly the principal directions of curvature guide the field; 0 for not at all")
-    ("index-targets", file(),
-     "read singularities that the field must have: a vertex index of MODEL that is on no feature edge and 4 times\n"
-     "its index a line; the patches of these vertices then have no other singularities inside")
-    ("sharp-corner-bound", po::value<double>()->value_name("DEG")->default_value(135, "135"),
-     "sectors of less than DEG degrees are sharp corners")
-    ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
-    ("no-relaxation", "keep the crosses orthogonal")
-    ("no-baseline", "do not compute the field without correction, for comparison")
-    ("output,o", file(), "write the mesh and the field as PLY")
-    ("ascii", "write the PLY file as text")
-    ("vtp", file(), "write faces, features and singular sectors as VTK PolyData, for ParaView")
-    ("streamlines", po::value<double>()->value_name("SPACING")->implicit_value(0, "default"),
-     "write streamlines to the VTP file as well, at this distance (a length of the model) or a default one")
-    ("report", file(), "write the numbers as JSON")
-    ("quiet", "print nothing but warnings and errors")
-    ("verbose", "print figures of the quality of the field, too")
-    ("help", "print this text")
-    ("version", "print the version");
-  return options;
-}
-
-inline void print_help(std::ostream& out)
-{
-  out << "cad_frame_field MODEL [options]\n\n"
-         "Computes a frame field that a quadrangle mesh can follow on a CAD model.\n"
-         "MODEL is a file whose name ends with one of " << known_extensions << ".\n"
-         "What is not an oriented manifold triangle mesh is repaired before; warnings tell how.\n\n"
-      << option_descriptions()
-      << "\nOUT.ply holds the mesh whose faces with several feature edges are split, and its properties:\n"
-         "  face      alpha, rho in radians; unit vectors u, v (branches 0 and 1) as ux uy uz vx vy vz\n"
-         "  edge      feature: 1 for features and borders\n"
-         "  halfedge  matching; prescribed_rotation in radians; index: 4 times that of the sector at the target\n"
-         "In the JSON report, the angles of sectors are in degrees and indices are multiplied by 4.\n\n"
-         "Exit codes: 0 done, 1 bad usage, 2 a file cannot be read or written or is invalid, 3 no field was found.\n";
-}
-
 inline double angle_option(const boost::program_options::variables_map& variables, const std::string& name,
                            const double maximum)
 {
@@ -140,6 +108,43 @@ inline double angle_option(const boost::program_options::variables_map& variable
     throw Failure(BAD_USAGE, "--" + name + " must be from 0 to " + std::to_string(static_cast<int>(maximum))
                              + " degrees");
   return angle;
+}
+
+inline double weak_angle_option(const boost::program_options::variables_map& variables, const double feature_angle)
+{
+  if(!variables.count("weak-angle"))
+    return feature_angle;
+  const double angle = variables["weak-angle"].as<double>();
+  if(!(angle >= 0 && angle <= feature_angle))
+    throw Failure(BAD_USAGE, "--weak-angle must be from 0 to the --feature-angle");
+  return angle;
+}
+
+inline double non_negative_option(const boost::program_options::variables_map& variables, const std::string& name)
+{
+  const double number = variables[name].as<double>();
+  if(!(number >= 0 && std::isfinite(number)))
+    throw Failure(BAD_USAGE, "--" + name + " must be a number that is not negative");
+  return number;
+}
+
+inline std::optional<int> count_option(const boost::program_options::variables_map& variables, const std::string& name)
+{
+  if(!variables.count(name))
+    return std::nullopt;
+  if(variables[name].as<int>() < 1)
+    throw Failure(BAD_USAGE, "--" + name + " must be 1 or more");
+  return variables[name].as<int>();
+}
+
+inline std::optional<int> threads_option(const boost::program_options::variables_map& variables)
+{
+  const std::optional<int> number = count_option(variables, "threads");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(number && *number > 1)
+    throw Failure(BAD_USAGE, "--threads must be 1, as this program was built without TBB");
+#endif
+  return number;
 }
 
 inline std::optional<std::string> file_option(const boost::program_options::variables_map& variables,
@@ -162,6 +167,25 @@ inline std::optional<double> streamline_option(const boost::program_options::var
   return spacing;
 }
 
+inline std::optional<std::string> field_option(const boost::program_options::variables_map& variables,
+                                               const std::string& name)
+{
+  const std::optional<std::string> path = file_option(variables, name);
+  if(path)
+    field_format_of(*path);
+  return path;
+}
+
+inline std::vector<std::string> fields_option(const boost::program_options::variables_map& variables)
+{
+  if(!variables.count("field"))
+    return {};
+  const auto paths = variables["field"].as<std::vector<std::string> >();
+  for(const std::string& path : paths)
+    field_format_of(path); // a wrong one is reported before the model is read
+  return paths;
+}
+
 // The same for all ways to write a path.
 inline std::string unique_name(const std::string& path)
 {
@@ -173,77 +197,54 @@ inline std::string unique_name(const std::string& path)
 // No output may replace an input or another output.
 inline void check_files_differ(const Options& options)
 {
-  std::set<std::string> names{ unique_name(options.model) };
-  for(const auto& path : { options.features, options.index_targets })
-    if(path)
-      names.insert(unique_name(*path));
-  for(const auto& path : { options.ply, options.vtp, options.report })
-    if(path && !names.insert(unique_name(*path)).second)
-      throw Failure(BAD_USAGE, *path + ": this is an input or another output already; give another name");
+  std::set<std::string> names;
+  for(const std::string& path : inputs_of(options))
+    names.insert(unique_name(path));
+  for(const std::string& path : outputs_of(options))
+    if(!names.insert(unique_name(path)).second)
+      throw Failure(BAD_USAGE, path + ": this is an input or another output already; give another name");
 }
 
-inline boost::program_options::variables_map parse_command_line(const int argc, const char* const* const argv)
+inline void check_that_files_replace_detection(const boost::program_options::variables_map& variables)
 {
-  namespace po = boost::program_options;
-  po::options_description all_options = option_descriptions();
-  all_options.add_options()("model", po::value<std::string>());
-  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-
-  po::variables_map variables;
-  po::store(po::command_line_parser(argc, argv).options(all_options)
-              .positional(po::positional_options_description().add("model", 1)).style(style).run(),
-            variables);
-  return variables;
+  for(const char* const name : { "feature-angle", "weak-angle", "close-gaps", "min-chain-length" })
+    if(variables.count(name) && !variables[name].defaulted())
+      throw Failure(BAD_USAGE, std::string("--features and --") + name + " exclude each other");
 }
 
-// The options, or nothing if the command line asks for the help or the version, which are then printed.
-inline std::optional<Options> read_options(const int argc, const char* const* const argv)
-try
+inline Options options_from(const boost::program_options::variables_map& variables)
 {
-  const boost::program_options::variables_map variables = parse_command_line(argc, argv);
-  if(variables.count("help"))
-  {
-    print_help(std::cout);
-    return std::nullopt;
-  }
-  if(variables.count("version"))
-  {
-    std::cout << "cad_frame_field " FRAME_FIELDS_VERSION "\n";
-    return std::nullopt;
-  }
-  if(!variables.count("model") || variables["model"].as<std::string>().empty())
-    throw Failure(BAD_USAGE, "MODEL is missing; cad_frame_field --help tells the usage");
-  if(variables.count("features") && !variables["feature-angle"].defaulted())
-    throw Failure(BAD_USAGE, "--features and --feature-angle exclude each other");
+  if(variables.count("features"))
+    check_that_files_replace_detection(variables);
 
   Options options;
-  options.model = variables["model"].as<std::string>();
+  options.model = variables.count("model") ? variables["model"].as<std::string>() : "";
   options.features = file_option(variables, "features");
   options.index_targets = file_option(variables, "index-targets");
+  options.compared_field = field_option(variables, "compare");
   options.feature_angle = angle_option(variables, "feature-angle", 180);
+  options.weak_angle = weak_angle_option(variables, options.feature_angle);
+  options.closes_gaps = variables.count("close-gaps");
+  options.minimum_chain_length = non_negative_option(variables, "min-chain-length");
   options.support = variables["support"].as<std::string>();
   support_strategy_from(options.support); // a wrong one is reported before the model is read
   options.edge_weighting = edge_weighting_from(variables["edge-weights"].as<std::string>());
-  options.curvature_weight = variables["curvature-weight"].as<double>();
-  if(!(options.curvature_weight >= 0 && std::isfinite(options.curvature_weight)))
-    throw Failure(BAD_USAGE, "--curvature-weight must be a number that is not negative");
+  options.curvature_weight = non_negative_option(variables, "curvature-weight");
   options.sharp_corner_bound = angle_option(variables, "sharp-corner-bound", 360);
   options.repairs_matching = !variables.count("no-repair");
   options.relaxes_orthogonality = !variables.count("no-relaxation");
   options.computes_baseline = !variables.count("no-baseline");
+  options.number_of_threads = threads_option(variables);
   options.ply = file_option(variables, "output");
   options.vtp = file_option(variables, "vtp");
   options.report = file_option(variables, "report");
   options.streamline_spacing = streamline_option(variables);
+  options.written_features = file_option(variables, "write-features");
+  options.fields = fields_option(variables);
   options.writes_ascii = variables.count("ascii");
   options.is_quiet = variables.count("quiet");
   options.is_verbose = variables.count("verbose");
-  check_files_differ(options);
   return options;
-}
-catch(const boost::program_options::error& error)
-{
-  throw Failure(BAD_USAGE, std::string(error.what()) + "; cad_frame_field --help tells the usage");
 }
 
 #endif // CAD_FRAME_FIELD_OPTIONS_H

@@ -3,6 +3,7 @@
 
 #include "Failure.h"
 #include "Mesh.h"
+#include "file_extension.h"
 #include "input_file.h"
 #include "known_extensions.h"
 #include "ply_stream.h"
@@ -20,7 +21,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -33,14 +33,6 @@ struct Soup
   std::vector<Point> points;
   std::vector<std::vector<std::size_t> > polygons;
 };
-
-inline std::string lower_case_extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 // Tells whether CGAL read it all; otherwise `in` stands where it stopped, but for VTP files.
 inline bool read_by_extension(const std::string& path, std::istream& in, Soup& soup)

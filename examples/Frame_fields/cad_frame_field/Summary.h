@@ -25,10 +25,20 @@ struct Reported_sector
   int index;    // 4 I
 };
 
+// What is told of a field of another program.
+struct Compared_figures
+{
+  double maximum_misalignment; // radians
+  Index_histogram interior_indices, constrained_indices;
+  std::size_t number_of_unmeshable_sectors;
+  CGAL::Frame_fields::Field_quality quality;
+};
+
 // The numbers that the program prints and reports.
 struct Summary
 {
   std::size_t faces = 0, vertices = 0, feature_edges = 0; // before faces are split
+  std::vector<Vertex> dangling_ends;                      // of features
   std::size_t split_faces = 0, faces_after_split = 0;
   Index_histogram interior_indices, constrained_indices;
   std::optional<std::size_t> unmeshable_before; // nothing without the baseline
@@ -36,6 +46,7 @@ struct Summary
   std::vector<Reported_sector> changed_sectors;    // whose index the repair changed
   CGAL::Frame_fields::Statistics statistics;
   CGAL::Frame_fields::Field_quality quality; // with --verbose
+  std::optional<Compared_figures> compared;
   double seconds_reading = 0, seconds_baseline = 0, seconds_writing = 0;
   std::vector<std::string> warnings;
 };
@@ -63,11 +74,18 @@ inline std::size_t count_features(const Mesh& mesh, const Feature_map is_feature
   return std::count_if(mesh.edges().begin(), mesh.edges().end(), [&](const Edge e) { return is_feature[e]; });
 }
 
+template <typename IndexMap>
+void count_indices(const std::vector<Sector>& sectors, const IndexMap index, Index_histogram& interior,
+                   Index_histogram& constrained)
+{
+  for(const Sector& sector : sectors)
+    ++(sector.is_constrained ? constrained : interior)[get(index, sector.halfedge)];
+}
+
 inline void summarize_field(const Mesh& mesh, const Feature_map is_feature, const std::vector<Sector>& sectors,
                             const Field& field, Summary& summary)
 {
-  for(const Sector& sector : sectors)
-    ++(sector.is_constrained ? summary.constrained_indices : summary.interior_indices)[field.index[sector.halfedge]];
+  count_indices(sectors, field.index, summary.interior_indices, summary.constrained_indices);
   summary.unmeshable_sectors = find_unmeshable_sectors(mesh, is_feature, sectors, field.index);
   for(const Halfedge h : field.repaired_sectors)
     summary.changed_sectors.push_back(reported_sector(mesh, is_feature, h, field.index));

@@ -5,51 +5,18 @@
 #include "Failure.h"
 #include "Mesh.h"
 #include "Model.h"
-#include "input_file.h"
+#include "Options.h"
+#include "read_features.h"
 
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Frame_fields/detect_feature_edges.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
-
-// A line of a feature file: the indices of two vertices of the model.
-struct Vertex_pair
-{
-  std::size_t first, second, line_number;
-};
-
-inline Vertex_pair parse_vertex_pair(const std::string& path, const std::size_t line_number, const std::string& text,
-                                     const std::size_t number_of_vertices)
-{
-  const auto fail = [&](const std::string& reason)
-  {
-    throw Failure(BAD_FILE, path + ":" + std::to_string(line_number) + ": " + reason);
-  };
-  std::istringstream words(text);
-  long long first, second; // signed, since a stream reads -1 as a large unsigned number without complaint
-  if(!(words >> first >> second) || !(words >> std::ws).eof())
-    fail("a line must hold two vertex indices");
-  const long long end = static_cast<long long>(number_of_vertices);
-  for(const long long vertex : { first, second })
-    if(vertex < 0 || vertex >= end)
-      fail("the model has no vertex " + std::to_string(vertex) + ", its last one is " + std::to_string(end - 1));
-  return { static_cast<std::size_t>(first), static_cast<std::size_t>(second), line_number };
-}
-
-inline std::vector<Vertex_pair> read_vertex_pairs(const std::string& path, const std::size_t number_of_vertices)
-{
-  std::vector<Vertex_pair> pairs;
-  for_each_line(path, [&](const std::size_t line_number, const std::string& content)
-  {
-    pairs.push_back(parse_vertex_pair(path, line_number, content, number_of_vertices));
-  });
-  return pairs;
-}
 
 // Marks the edges whose ends are at the places of a pair; a repair may have made several of them.
 inline void mark_vertex_pairs(const std::string& path, const std::vector<Vertex_pair>& pairs, const Model& model,
@@ -92,19 +59,26 @@ inline void mark_border_edges(const Mesh& mesh, Feature_map is_feature)
       is_feature[e] = true;
 }
 
-inline Feature_map mark_listed_features(const std::string& path, Model& model, Console& console)
+inline Feature_map mark_listed_features(const std::string& path, const std::vector<Vertex_pair>& pairs, Model& model,
+                                        Console& console)
 {
   const Feature_map is_feature = model.mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
-  mark_vertex_pairs(path, read_vertex_pairs(path, model.place_in_file.size()), model, is_feature, console);
+  mark_vertex_pairs(path, pairs, model, is_feature, console);
   mark_border_edges(model.mesh, is_feature);
   return is_feature;
 }
 
-inline Feature_map mark_sharp_features(const double angle_in_degrees, Model& model)
+inline Feature_map detect_features(const Options& options, Model& model)
 {
   const Feature_map is_feature = model.mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
-  CGAL::Polygon_mesh_processing::detect_sharp_edges(model.mesh, angle_in_degrees, is_feature);
-  mark_border_edges(model.mesh, is_feature);
+  const CGAL::Frame_fields::Result result = CGAL::Frame_fields::detect_feature_edges(
+    model.mesh, is_feature,
+    CGAL::Frame_fields::parameters::strong_angle(options.feature_angle)
+      .weak_angle(options.weak_angle)
+      .close_gaps(options.closes_gaps)
+      .minimum_chain_length(options.minimum_chain_length));
+  if(!result)
+    throw Failure(BAD_FILE, options.model + ": " + result.message);
   return is_feature;
 }
 

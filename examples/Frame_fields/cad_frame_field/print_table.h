@@ -54,6 +54,16 @@ inline void print_quality(const CGAL::Frame_fields::Field_quality& quality)
   print_row("largest misalignment", degrees * quality.maximum_misalignment);
 }
 
+inline void print_compared(const Compared_figures& compared)
+{
+  std::cout << "compared field\n";
+  print_row("  interior sectors", text_of(compared.interior_indices));
+  print_row("  sectors on features", text_of(compared.constrained_indices));
+  print_row("  unmeshable corners", compared.number_of_unmeshable_sectors);
+  print_row("  energy", compared.quality.energy);
+  print_row("  misalignment", compared.maximum_misalignment * 180 / CGAL_PI);
+}
+
 inline void print_table(const Summary& summary, const bool is_verbose)
 {
   const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
@@ -61,6 +71,7 @@ inline void print_table(const Summary& summary, const bool is_verbose)
   print_row("vertices", summary.vertices);
   print_row("patches", statistics.number_of_patches);
   print_row("feature edges", summary.feature_edges);
+  print_row("dangling ends", summary.dangling_ends.size());
   print_row("split faces", summary.split_faces);
   print_row("sharp corners", statistics.number_of_sharp_corners);
   print_row("interior sectors", text_of(summary.interior_indices));
@@ -74,6 +85,8 @@ inline void print_table(const Summary& summary, const bool is_verbose)
   print_row("clamped faces", statistics.number_of_clamped_faces);
   if(is_verbose)
     print_quality(summary.quality);
+  if(summary.compared)
+    print_compared(*summary.compared);
   print_seconds(statistics.seconds);
 }
 

@@ -2,6 +2,7 @@
 #define CAD_FRAME_FIELD_WRITE_FILE_H
 
 #include "Failure.h"
+#include "Unfinished_file.h"
 
 #include <unistd.h>
 
@@ -17,12 +18,23 @@ inline bool is_device_or_pipe(const std::string& path)
   return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
 }
 
+// The file that a path stands for, through symbolic links, even if there is no such file yet.
+inline std::filesystem::path final_target(std::filesystem::path path)
+{
+  namespace fs = std::filesystem;
+  const int maximum_number_of_links = 40; // as Linux has it
+  std::error_code error;
+  for(int k = 0; k < maximum_number_of_links && fs::is_symlink(path, error); ++k)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
 // Finds before a long computation that its result could not be written.
 inline void check_output_path(const std::string& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path folder = fs::absolute(path, error).parent_path();
+  const fs::path folder = fs::absolute(final_target(path), error).parent_path();
   if(fs::is_directory(path, error))
     throw Failure(BAD_FILE, path + ": this is a folder; give the name of a file");
   if(!fs::is_directory(folder, error))
@@ -48,23 +60,11 @@ void write_directly(const std::string& path, const std::string& name, const Writ
 template <typename Write>
 void write_file(const std::string& path, const Write& write)
 {
-  namespace fs = std::filesystem;
   if(is_device_or_pipe(path))
     return write_directly(path, path, write);
-
-  const fs::path target = fs::weakly_canonical(path); // a symbolic link keeps pointing to the file
-  const fs::path unfinished = target.string() + "." + std::to_string(getpid()) + ".part";
-  try
-  {
-    write_directly(unfinished.string(), path, write);
-    fs::rename(unfinished, target);
-  }
-  catch(...)
-  {
-    std::error_code error;
-    fs::remove(unfinished, error);
-    throw;
-  }
+  const Unfinished_file unfinished(final_target(path)); // a symbolic link keeps pointing to the file
+  write_directly(unfinished.path(), path, write);
+  unfinished.finish(path);
 }
 
 #endif // CAD_FRAME_FIELD_WRITE_FILE_H

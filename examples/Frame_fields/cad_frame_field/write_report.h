@@ -17,8 +17,12 @@ inline Json json_of(const Options& options)
 {
   return { { "features", options.features ? Json(*options.features) : Json() },
            { "feature_angle", options.features ? Json() : Json(options.feature_angle) },
+           { "weak_angle", options.features ? Json() : Json(options.weak_angle) },
+           { "close_gaps", options.features ? Json() : Json(options.closes_gaps) },
+           { "min_chain_length", options.features ? Json() : Json(options.minimum_chain_length) },
            { "support", options.support },
            { "index_targets", options.index_targets ? Json(*options.index_targets) : Json() },
+           { "compare", options.compared_field ? Json(*options.compared_field) : Json() },
            { "sharp_corner_bound", options.sharp_corner_bound },
            { "edge_weights", options.edge_weighting == CGAL::Frame_fields::UNIFORM_WEIGHTS ? "uniform" : "geometric" },
            { "curvature_weight", options.curvature_weight },
@@ -63,6 +67,27 @@ inline Json json_of(const CGAL::Frame_fields::Field_quality& quality)
            { "maximum_misalignment", quality.maximum_misalignment } };
 }
 
+inline Json json_of(const Index_histogram& interior, const Index_histogram& constrained)
+{
+  return { { "interior", json_of(interior) }, { "constrained", json_of(constrained) } };
+}
+
+inline Json json_of(const Compared_figures& compared)
+{
+  return { { "unmeshable", compared.number_of_unmeshable_sectors },
+           { "index_histogram", json_of(compared.interior_indices, compared.constrained_indices) },
+           { "maximum_misalignment", compared.maximum_misalignment },
+           { "quality", json_of(compared.quality) } };
+}
+
+inline Json json_of(const std::vector<Vertex>& vertices)
+{
+  Json json = Json::array();
+  for(const Vertex v : vertices)
+    json.push_back(v.idx());
+  return json;
+}
+
 inline void write_report(std::ostream& out, const Options& options, const Summary& summary)
 {
   const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
@@ -73,6 +98,7 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "vertices", summary.vertices },
     { "patches", statistics.number_of_patches },
     { "feature_edges", summary.feature_edges },
+    { "dangling_ends", json_of(summary.dangling_ends) },
     { "split_faces", summary.split_faces },
     { "faces_after_split", summary.faces_after_split },
     { "sharp_corners", statistics.number_of_sharp_corners },
@@ -80,12 +106,12 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "unmeshable_after", summary.unmeshable_sectors.size() },
     { "repaired_sectors", statistics.number_of_repaired_sectors },
     { "unnatural_corners", statistics.number_of_unnatural_corners },
-    { "index_histogram", { { "interior", json_of(summary.interior_indices) },
-                           { "constrained", json_of(summary.constrained_indices) } } },
+    { "index_histogram", json_of(summary.interior_indices, summary.constrained_indices) },
     { "energy_orthogonal", statistics.energy_orthogonal },
     { "energy_relaxed", statistics.energy_relaxed },
     { "clamped_faces", statistics.number_of_clamped_faces },
     { "quality", options.is_verbose ? json_of(summary.quality) : Json() },
+    { "compared", summary.compared ? json_of(*summary.compared) : Json() },
     { "seconds", json_of(statistics.seconds) },
     { "seconds_reading", summary.seconds_reading },
     { "seconds_baseline", summary.seconds_baseline },

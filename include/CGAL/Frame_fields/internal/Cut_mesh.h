@@ -143,6 +143,20 @@ public:
 
   Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(get(m_points, v), m_traits); }
 
+  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has no
+  // length or the vector is not finite.
+  template <typename Vector_3>
+  double angle_in_face(const face_descriptor f, const Vector_3& vector) const
+  {
+    const halfedge_descriptor h = halfedge(f, m_mesh);
+    const Face_basis basis = face_basis(coordinates(source(h, m_mesh)), coordinates(target(h, m_mesh)),
+                                        coordinates(target(next(h, m_mesh), m_mesh)));
+    const Coordinates v = coordinates_of(vector, m_traits);
+    const double x = dot(v, basis[0]), y = dot(v, basis[1]);
+    const bool has_direction = std::isfinite(x) && std::isfinite(y) && (x != 0 || y != 0);
+    return has_direction ? std::atan2(y, x) : std::numeric_limits<double>::quiet_NaN();
+  }
+
 private:
   typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
   typedef typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
@@ -250,20 +264,6 @@ private:
                        description_of_face(f) + "; call split_overconstrained_faces() before");
     }
     return {};
-  }
-
-  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has no
-  // length or the vector is not finite.
-  template <typename Vector_3>
-  double angle_in_face(const face_descriptor f, const Vector_3& vector) const
-  {
-    const halfedge_descriptor h = halfedge(f, m_mesh);
-    const Face_basis basis = face_basis(coordinates(source(h, m_mesh)), coordinates(target(h, m_mesh)),
-                                        coordinates(target(next(h, m_mesh), m_mesh)));
-    const Coordinates v = coordinates_of(vector, m_traits);
-    const double x = dot(v, basis[0]), y = dot(v, basis[1]);
-    const bool has_direction = std::isfinite(x) && std::isfinite(y) && (x != 0 || y != 0);
-    return has_direction ? std::atan2(y, x) : std::numeric_limits<double>::quiet_NaN();
   }
 
   // Reads the guiding directions. An infinite weight aligns a face that has no constrained edge.

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+#ifndef CGAL_FRAME_FIELDS_DETECT_FEATURE_EDGES_H
+#define CGAL_FRAME_FIELDS_DETECT_FEATURE_EDGES_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/Feature_mesh.h>
+#include <CGAL/Frame_fields/internal/feature_graph.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+/// \file detect_feature_edges.h
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+struct Feature_options
+{
+  double strong_angle, weak_angle, minimum_chain_length;
+  bool closes_gaps;
+};
+
+template <typename NamedParameters>
+Feature_options feature_options_from(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Feature_options options;
+  options.strong_angle = choose_parameter(get_parameter(np, internal::strong_angle), 40.);
+  options.weak_angle = choose_parameter(get_parameter(np, internal::weak_angle), options.strong_angle);
+  options.minimum_chain_length = choose_parameter(get_parameter(np, internal::minimum_chain_length), 0.);
+  options.closes_gaps = choose_parameter(get_parameter(np, internal::close_gaps), false);
+  return options;
+}
+
+inline Result check(const Feature_options& options)
+{
+  if(!(options.strong_angle >= 0 && options.strong_angle <= 180))
+    return failure(ERROR_WRONG_PARAMETER, "strong_angle must be from 0 to 180 degrees");
+  if(!(options.weak_angle >= 0 && options.weak_angle <= options.strong_angle))
+    return failure(ERROR_WRONG_PARAMETER, "weak_angle must be from 0 to strong_angle");
+  if(!(options.minimum_chain_length >= 0))
+    return failure(ERROR_WRONG_PARAMETER, "minimum_chain_length must not be negative");
+  return {};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+finds feature edges by the angles between the normals of their faces, and cleans them up.
+
+-# Edges of the strong angle or more are features, and edges of the weak angle or more that are connected with them by
+   such edges. So a crease that fades out is followed, and one that is weak all along is not taken.
+-# If `close_gaps` is `true`, an edge becomes a feature that joins two dangling ends, vertices at which exactly one
+   feature ends, and that turns by less than a right angle at both. If several edges compete for an end, the one with
+   the smaller turns is taken.
+-# Features form chains, which reach from one vertex where not exactly two features meet to the next. A chain shorter
+   than the minimum length is no feature if one of its ends dangles, or if it is closed and meets no other. The shortest
+   chain goes first; two chains that are left at a vertex become one. So a spur goes and the chain that it
+   is on stays, and nothing is taken out of the boundary of a patch.
+
+Border edges always are features. A face without area has no normal; its neighbour across its longest edge stands for
+it.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
+\tparam EdgeIsFeatureMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param edge_is_feature_map is written for all edges on success, and not at all otherwise
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{strong_angle}
+    \cgalParamDescription{the angle between normals from which an edge is a feature, in degrees}
+    \cgalParamType{`double`, from 0 to 180}
+    \cgalParamDefault{40}
+  \cgalParamNEnd
+  \cgalParamNBegin{weak_angle}
+    \cgalParamDescription{the angle between normals from which an edge continues features, in degrees}
+    \cgalParamType{`double`, from 0 to `strong_angle`}
+    \cgalParamDefault{`strong_angle`}
+  \cgalParamNEnd
+  \cgalParamNBegin{close_gaps}
+    \cgalParamDescription{whether gaps of one edge are closed}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_chain_length}
+    \cgalParamDescription{the length under which chains that dangle, or are closed and alone, are removed}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `OK`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or `ERROR_WRONG_PARAMETER`
+
+\cgalBigO{n} for \f$ n \f$ edges, and \cgalBigO{n \log n} for each round in which chains are removed; a second round
+is needed where chains have become one.
+
+\sa `dangling_feature_ends()`
+\sa `cad_frame_field()`
+*/
+template <typename TriangleMesh, typename EdgeIsFeatureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result detect_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_feature_map,
+                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  const internal::Feature_options options = internal::feature_options_from(np);
+  Result result = internal::check(options);
+  if(!result)
+    return result;
+  internal::Feature_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
+  internal::Feature_graph graph;
+  result = mesh.read(graph);
+  if(!result)
+    return result;
+  internal::mark_with_hysteresis(graph, mesh.dihedral_angles(graph), options.strong_angle, options.weak_angle);
+  if(options.closes_gaps)
+    internal::join_dangling_ends(graph);
+  if(options.minimum_chain_length > 0)
+    internal::remove_short_chains(graph, options.minimum_chain_length);
+  for(std::size_t e = 0; e < graph.is_feature.size(); ++e)
+    put(edge_is_feature_map, mesh.edge_descriptors()[e], static_cast<bool>(graph.is_feature[e]));
+  return {};
+}
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+lists the dangling ends of features: the vertices at which exactly one feature edge ends. There a curve stops inside a
+patch, which a sector of a full turn around its end tells the field; often the features miss an edge.
+
+\tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeListGraph`
+\tparam EdgeIsFeatureMap a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam OutputIterator a model of `OutputIterator` that accepts `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+
+\param tm the mesh
+\param edge_is_feature_map the feature edges of `tm`; border edges always count as such
+\param out gets the vertices in the order of `vertices(tm)`
+
+\cgalBigO{n} for \f$ n \f$ edges.
+
+\sa `detect_feature_edges()`
+*/
+template <typename TriangleMesh, typename EdgeIsFeatureMap, typename OutputIterator>
+void dangling_feature_ends(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_feature_map, OutputIterator out)
+{
+  const auto number_of_features = get(CGAL::dynamic_vertex_property_t<int>(), tm);
+  for(const auto v : vertices(tm))
+    put(number_of_features, v, 0);
+  for(const auto e : edges(tm))
+  {
+    const auto h = halfedge(e, tm);
+    if(get(edge_is_feature_map, e) || is_border(h, tm) || is_border(opposite(h, tm), tm))
+      for(const auto v : { source(h, tm), target(h, tm) })
+        put(number_of_features, v, get(number_of_features, v) + 1);
+  }
+  for(const auto v : vertices(tm))
+    if(get(number_of_features, v) == 1)
+      *out++ = v;
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_DETECT_FEATURE_EDGES_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
+#define CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/options.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+/// \file frame_field_from_vectors.h
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The frame with branches at two angles, the second one taken from 0 to pi further.
+struct Frame
+{
+  double alpha, rho;
+
+  static Frame from_angles(const double first, const double second)
+  {
+    const double between = std::remainder(second - first, 2 * CGAL_PI);
+    return { first, (between < 0 ? between + CGAL_PI : between) - CGAL_PI / 2 };
+  }
+};
+
+// Turns the branch nearest to a line onto it and keeps the other one. Returns by how much.
+inline double align(Frame& frame, const double line)
+{
+  const double turn_of_first = std::remainder(line - frame.alpha, CGAL_PI);
+  const double turn_of_second = std::remainder(line - frame.alpha - CGAL_PI / 2 - frame.rho, CGAL_PI);
+  if(std::abs(turn_of_first) <= std::abs(turn_of_second))
+  {
+    frame.alpha += turn_of_first;
+    frame.rho -= turn_of_first;
+    return std::abs(turn_of_first);
+  }
+  frame.rho += turn_of_second;
+  return std::abs(turn_of_second);
+}
+
+// The integer p_ij with which the two branches turn the least, in the sense of squares.
+inline int nearest_matching(const double unmatched_rotation, const double rho_i, const double rho_j)
+{
+  const auto cost = [&](const int p)
+  {
+    const double mean = unmatched_rotation + p * CGAL_PI / 2 + (rho_j - rho_i) / 2;
+    const double half_difference = (p % 2 == 0 ? rho_j - rho_i : rho_j + rho_i) / 2;
+    return mean * mean + half_difference * half_difference;
+  };
+  const int nearest_mean =
+    static_cast<int>(std::lround(-(unmatched_rotation + (rho_j - rho_i) / 2) / (CGAL_PI / 2)));
+  const int candidates[] = { nearest_mean, nearest_mean - 1, nearest_mean + 1 };
+  return *std::min_element(std::begin(candidates), std::end(candidates),
+                           [&](const int p, const int q) { return cost(p) < cost(q); });
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+makes a frame field from two vectors for each face, as other programs give it, so that `singularity_indices()` and
+`frame_field_quality()` can judge it: the inverse of `frame_vectors()`.
+
+The vectors are projected to the planes of their faces; their lengths and signs do not matter. In a face with a
+constrained edge the nearer branch is turned onto that edge, as indices are only defined for fields that follow the
+constrained edges; `maximum_misalignment` tells by how much at most. The matching \f$ p_{ij} \f$ is the one for which
+the two branches turn the least, in the sense of squares.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam VectorMap1 a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` as value type
+\tparam VectorMap2 as `VectorMap1`
+\tparam AlphaMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
+\tparam RhoMap as `AlphaMap`
+\tparam MatchingMap a class model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param u_map one direction of each face
+\param v_map the other one
+\param alpha_map gets the angle of the first branch of each face, in radians
+\param rho_map gets the skewness of each face, in radians
+\param matching_map gets the matching \f$ p_{ij} \f$; 0 on constrained edges
+\param maximum_misalignment gets the largest angle by which a branch was turned onto a constrained edge, in radians
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only coordinates are read; all computation is in `double`.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
+        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (a vector that is not finite or
+        perpendicular to its face, two parallel vectors); nothing is written unless it is `OK`
+
+\cgalBigO{n} for \f$ n \f$ faces.
+
+\sa `singularity_indices()`
+\sa `frame_field_quality()`
+*/
+template <typename TriangleMesh, typename VectorMap1, typename VectorMap2, typename AlphaMap, typename RhoMap,
+          typename MatchingMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, VectorMap2 v_map, AlphaMap alpha_map,
+                                RhoMap rho_map, MatchingMap matching_map, double& maximum_misalignment,
+                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  const Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  if(!result)
+    return result;
+  const internal::Cut_surface& surface = cut_mesh.surface();
+
+  std::vector<double> alpha, rho;
+  double largest_turn = 0;
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+  {
+    const auto face = cut_mesh.face_descriptors()[f];
+    internal::Frame frame = internal::Frame::from_angles(cut_mesh.angle_in_face(face, get(u_map, face)),
+                                                         cut_mesh.angle_in_face(face, get(v_map, face)));
+    if(surface.is_aligned(f))
+      largest_turn = (std::max)(largest_turn, internal::align(frame, surface.alignment[f]));
+    if(!(std::abs(frame.rho) < CGAL_PI / 2)) // false for NaN, too
+      return internal::failure(ERROR_WRONG_FIELD, "vectors that are parallel, not finite or perpendicular to "
+                                                  + cut_mesh.description_of_face(f));
+    alpha.push_back(frame.alpha);
+    rho.push_back(frame.rho);
+  }
+
+  std::vector<int> matching;
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+  {
+    const internal::Dual_edge& dual_edge = surface.dual_edges[e];
+    matching.push_back(internal::nearest_matching(internal::unmatched_rotation(surface, alpha, e),
+                                                  rho[internal::face_of(dual_edge.halfedge)],
+                                                  rho[internal::face_of(dual_edge.opposite)]));
+  }
+  internal::write_on_faces(cut_mesh, alpha, alpha_map);
+  internal::write_on_faces(cut_mesh, rho, rho_map);
+  internal::write_on_dual_edges(cut_mesh, matching, matching_map);
+  maximum_misalignment = largest_turn;
+  return {};
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
