@@ -74,24 +74,6 @@ Mesh to_mesh(const Model& model)
   return mesh;
 }
 
-Model to_model(const Mesh& mesh)
-{
-  Model result;
-  std::map<Mesh::Vertex_index, std::size_t> number;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-  {
-    number[v] = result.points.size();
-    result.points.push_back(mesh.point(v));
-  }
-  for(const Mesh::Face_index f : mesh.faces())
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.triangles.push_back({ number[mesh.source(h)], number[mesh.target(h)],
-                                 number[mesh.target(mesh.next(h))] });
-  }
-  return result;
-}
-
 } // namespace
 
 std::pair<Point, Point> segment(const Point& p, const Point& q)
@@ -242,14 +224,19 @@ Model torus()
   });
 }
 
+Model convex_hull(const std::vector<Point>& points)
+{
+  Mesh hull;
+  CGAL::convex_hull_3(points.begin(), points.end(), hull);
+  return to_model(hull);
+}
+
 Model sphere()
 {
   CGAL::Random random(1);
   std::vector<Point> points;
   std::copy_n(CGAL::Random_points_on_sphere_3<Point>(1, random), 500, std::back_inserter(points));
-  Mesh hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return to_model(hull);
+  return convex_hull(points);
 }
 
 Model tetrahedron()
@@ -345,6 +332,38 @@ Model read_model(const std::string& model_file, const std::string& feature_file)
     PMP::orient_polygon_soup(result.points, result.triangles);
   }
   return feature_file.empty() ? with_sharp_edges(std::move(result)) : result;
+}
+
+void write_model(const Model& model, const std::string& stem)
+{
+  std::ofstream mesh_file(stem + ".off");
+  mesh_file.precision(17);
+  CGAL::IO::write_OFF(mesh_file, model.points, model.triangles,
+                      CGAL::parameters::stream_precision(17));
+  std::map<Point, std::size_t> number;
+  for(std::size_t p = 0; p < model.points.size(); ++p)
+    number[model.points[p]] = p;
+  std::ofstream feature_file(stem + ".feat");
+  for(const auto& [p, q] : model.features)
+    feature_file << number.at(p) << " " << number.at(q) << "\n";
+}
+
+Model to_model(const Mesh& mesh)
+{
+  Model result;
+  std::map<Mesh::Vertex_index, std::size_t> number;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+  {
+    number[v] = result.points.size();
+    result.points.push_back(mesh.point(v));
+  }
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    result.triangles.push_back({ number[mesh.source(h)], number[mesh.target(h)],
+                                 number[mesh.target(mesh.next(h))] });
+  }
+  return result;
 }
 
 bool Named_model::is_available() const { return file.empty() || std::ifstream(file).good(); }
