@@ -12,16 +12,6 @@ namespace {
 constexpr double default_sharp_corner_bound = 135 * degree;
 constexpr double default_maximum_skewness = 0.45 * 180 * degree;
 
-std::vector<int> number_of_sectors_of_patches(const Cut& cut)
-{
-  std::vector<int> patch_of_sector(cut.number_of_sectors()), result(cut.number_of_patches, 0);
-  for(int h = 0; h < cut.number_of_halfedges(); ++h)
-    patch_of_sector[cut.sector[h]] = cut.patch[face_of(h)];
-  for(const int patch : patch_of_sector)
-    ++result[patch];
-  return result;
-}
-
 bool is_finite(const std::vector<double>& values)
 {
   return std::all_of(values.begin(), values.end(), [](const double x) { return std::isfinite(x); });
@@ -46,6 +36,22 @@ std::string broken_facts_of_any_field(const Cut& cut, const Field& field, const 
   return broken.str();
 }
 
+std::string unmeshable_sectors(const Cut& cut, const std::vector<int>& index)
+{
+  std::vector<int> patch_of_sector(cut.number_of_sectors()), number_of_sectors(cut.number_of_patches, 0);
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    patch_of_sector[cut.sector[h]] = cut.patch[face_of(h)];
+  for(const int patch : patch_of_sector)
+    ++number_of_sectors[patch];
+
+  std::ostringstream unmeshable;
+  const std::vector<int> sector_index = index_of_sectors(cut, index);
+  for(int s = 0; s < cut.number_of_sectors(); ++s)
+    if(cut.is_constrained_sector[s] && sector_index[s] >= 2 && number_of_sectors[patch_of_sector[s]] >= 4)
+      unmeshable << "a sector of angle " << cut.theta[s] << " has index " << sector_index[s] << "/4\n";
+  return unmeshable.str();
+}
+
 std::string broken_facts(const Cut& cut, const Field& field)
 {
   if(!field.result)
@@ -54,10 +60,7 @@ std::string broken_facts(const Cut& cut, const Field& field)
   broken << broken_facts_of_any_field(cut, field, default_maximum_skewness);
   if(!(largest_misalignment_in_space(cut, field) < 1e-9))
     broken << "a branch is " << largest_misalignment_in_space(cut, field) << " away from its constrained edge\n";
-  const std::vector<int> number_of_sectors = number_of_sectors_of_patches(cut);
-  if(*std::min_element(number_of_sectors.begin(), number_of_sectors.end()) >= 4
-     && number_of_unmeshable_sectors(cut, field.index) > 0)
-    broken << number_of_unmeshable_sectors(cut, field.index) << " sectors are unmeshable\n";
+  broken << unmeshable_sectors(cut, field.index);
   if(static_cast<std::size_t>(cut.number_of_patches) != field.statistics.number_of_patches)
     broken << field.statistics.number_of_patches << " patches instead of " << cut.number_of_patches << "\n";
   const std::size_t corners = constrained_sectors_below(cut, default_sharp_corner_bound).size();

@@ -4,6 +4,7 @@
 #include "test_cut.h"
 
 #include <string>
+#include <vector>
 
 namespace test {
 
@@ -12,6 +13,9 @@ std::string broken_facts(const Cut& cut, const Field& field);
 
 // The same for the facts that do not depend on the parameters.
 std::string broken_facts_of_any_field(const Cut& cut, const Field& field, double maximum_skewness);
+
+// Lists the sectors with 4I >= 2 on constrained edges in patches of at least four sectors: the repair leaves none.
+std::string unmeshable_sectors(const Cut& cut, const std::vector<int>& index);
 
 } // namespace test
 

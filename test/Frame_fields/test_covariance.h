@@ -22,7 +22,11 @@ struct Framed_mesh
   Field field;
 
   template <typename Mesh>
-  explicit Framed_mesh(const Cad_mesh<Mesh>& cad_mesh) : cut(cad_mesh.cut()), field(frame_field(cad_mesh)) {}
+  explicit Framed_mesh(const Cad_mesh<Mesh>& cad_mesh) : Framed_mesh(cad_mesh, cad_mesh.features()) {}
+  template <typename Mesh, typename NamedParameters>
+  Framed_mesh(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& np)
+    : cut(cad_mesh.cut()), field(frame_field(cad_mesh, np))
+  {}
 };
 
 inline int corner_at(const Cut& cut, const int face, const Point& p)

@@ -315,6 +315,16 @@ Model transformed(Model model, const std::function<Point(const Point&)>& map)
   return model;
 }
 
+Model repaired(Model model)
+{
+  if(!PMP::is_polygon_soup_a_polygon_mesh(model.triangles))
+  {
+    PMP::repair_polygon_soup(model.points, model.triangles);
+    PMP::orient_polygon_soup(model.points, model.triangles);
+  }
+  return model;
+}
+
 Model read_model(const std::string& model_file, const std::string& feature_file)
 {
   Model result;
@@ -326,11 +336,7 @@ Model read_model(const std::string& model_file, const std::string& feature_file)
     for(std::size_t i, j; in >> i >> j;)
       result.features.push_back(segment(result.points.at(i), result.points.at(j)));
   }
-  if(!PMP::is_polygon_soup_a_polygon_mesh(result.triangles))
-  {
-    PMP::repair_polygon_soup(result.points, result.triangles);
-    PMP::orient_polygon_soup(result.points, result.triangles);
-  }
+  result = repaired(std::move(result));
   return feature_file.empty() ? with_sharp_edges(std::move(result)) : result;
 }
 
