@@ -28,6 +28,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cmath>
@@ -213,8 +214,25 @@ private:
     m_faces.swap(sorted_faces);
   }
 
+  // The largest power of two up to the size of the coordinates.
+  double length_unit() const
+  {
+    double largest = 0;
+    for(const face_descriptor f : m_faces)
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        largest = (std::max)(largest, maximum_norm(coordinates(target(h, m_mesh))));
+    return largest > 0 && std::isfinite(largest) ? std::scalbn(1., std::ilogb(largest)) : 1;
+  }
+
+  static Coordinates in_unit(const Coordinates& point, const double unit)
+  {
+    return { point[0] / unit, point[1] / unit, point[2] / unit };
+  }
+
   Result measure(const bool measures_lengths)
   {
+    if(measures_lengths)
+      m_surface.length_unit = length_unit();
     m_surface.angle.reserve(3 * m_faces.size());
     for(const face_descriptor f : m_faces)
     {
@@ -233,7 +251,8 @@ private:
         m_surface.angle.push_back(angle);
       if(measures_lengths)
         for(int k = 0; k < 3; ++k)
-          m_surface.length.push_back(distance(points[(k + 2) % 3], points[k]));
+          m_surface.length.push_back(distance(in_unit(points[(k + 2) % 3], m_surface.length_unit),
+                                              in_unit(points[k], m_surface.length_unit)));
     }
     return {};
   }

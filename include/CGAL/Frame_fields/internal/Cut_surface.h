@@ -61,7 +61,8 @@ struct Cut_surface
   std::vector<double> transport;             // per dual edge: c_ij
   Edge_weighting edge_weighting = UNIFORM_WEIGHTS;
   std::vector<double> weight;                // per dual edge: w_ij
-  std::vector<double> length;                // per halfedge: its length; empty unless asked for
+  double length_unit = 1;                    // a power of two near the size of the mesh: areas do not overflow then
+  std::vector<double> length;                // per halfedge: its length in this unit; empty unless asked for
   std::vector<double> alignment;             // per face: the angle that a branch must keep, NaN if there is none
   std::vector<double> guide_angle;           // per face: the angle near which a branch should be; empty if not guided
   std::vector<double> guide_weight;          // per face: how strongly, 0 if not at all; empty if not guided

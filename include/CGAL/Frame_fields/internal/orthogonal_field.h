@@ -20,6 +20,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -40,10 +41,21 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
 // is an integral, as it is for the relaxation.
 inline double guide_weight(const Cut_surface& surface, const int face)
 {
-  if(surface.guide_weight.empty())
+  if(surface.guide_weight.empty() || surface.guide_weight[face] == 0)
     return 0;
-  const double factor = surface.edge_weighting == UNIFORM_WEIGHTS ? 1 : area(surface, face) / std::sqrt(3.);
-  return factor * surface.guide_weight[face];
+  double weight = surface.guide_weight[face];
+  if(surface.edge_weighting != UNIFORM_WEIGHTS)
+    weight *= surface.length_unit * area(surface, face) / std::sqrt(3.) * surface.length_unit;
+  // The edges have weights of about 1. A much larger weight would drown them, and holds the frame as it is.
+  const double largest = 1e8;
+  return (std::min)(largest, weight);
+}
+
+// Whether a face asks for the direction of its guide so strongly that it is not lost in the rounding errors of the edge weights.
+inline bool is_guided(const Cut_surface& surface, const int face)
+{
+  const double smallest = 1e-12;
+  return guide_weight(surface, face) > smallest;
 }
 
 // The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the faces of one patch that are not aligned
@@ -61,7 +73,7 @@ public:
     {
       if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
-      if(surface.is_aligned(f) || guide_weight(surface, f) > 0)
+      if(surface.is_aligned(f) || is_guided(surface, f))
         m_is_anchored = true;
     }
   }

@@ -23,9 +23,11 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -59,17 +61,27 @@ public:
   {
     if(!m_is_integral)
       return;
+    const double length = options.orthogonality_length / surface.length_unit;
     const double default_squared_length = default_length_ratio * default_length_ratio * patch_area(surface, patch);
-    const double squared_length = options.orthogonality_length > 0
-                                ? options.orthogonality_length * options.orthogonality_length : default_squared_length;
+    const double squared_length =
+      options.orthogonality_length > 0 ? (std::max)(length * length, smallest_number) : default_squared_length;
     m_factor = squared_length > 0 ? 1 / (std::sqrt(3.) * squared_length) : 0; // 0: a patch without area
   }
 
-  bool is_positive() const { return m_factor > 0; }
-  double weight(const int face) const { return m_is_integral ? m_factor * area(m_surface, face) : m_factor; }
+  double weight(const int face) const
+  {
+    return (std::min)(largest_weight, m_is_integral ? m_factor * area(m_surface, face) : m_factor);
+  }
+
+  // Whether the weight ties the two branches of a face to one another. One that vanishes in the rounding errors of the
+  // edge weights does not.
+  bool ties(const int face) const { return weight(face) > smallest_weight; }
 
 private:
   static constexpr double default_length_ratio = 0.25; // of the square root of the patch's area
+  static constexpr double smallest_number = (std::numeric_limits<double>::min)();
+  // The edges have weights of about 1. A much larger weight would drown them, and holds the frames orthogonal as it is.
+  static constexpr double smallest_weight = 1e-12, largest_weight = 1e8;
 
   const Cut_surface& m_surface;
   bool m_is_integral;
@@ -77,7 +89,7 @@ private:
 };
 
 // The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch. Branch b of a face is a node of
-// a graph whose edges are the matched pairs across dual edges and, if the weight is not 0, the two branches of a face.
+// a graph whose edges are the matched pairs across dual edges and, if the weight ties them, the two branches of a face.
 class Relaxation_system
 {
 public:
@@ -114,9 +126,9 @@ public:
       for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
         for(int b = 0; b < 2; ++b)
           add_square_of_difference(m_unknown[first_node(e, b)], m_unknown[second_node(e, b)], m_surface.weight[e]);
-      if(m_orthogonality.is_positive())
-        for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-          add_square_of_difference(unknown(f, 0), unknown(f, 1), m_orthogonality.weight(f));
+      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+        if(const double weight = m_orthogonality.weight(f); weight > 0)
+          add_square_of_difference(unknown(f, 0), unknown(f, 1), weight);
     });
   }
 
@@ -165,8 +177,8 @@ private:
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
       for(int b = 0; b < 2; ++b)
         pieces.union_set(first_node(e, b), second_node(e, b));
-    if(m_orthogonality.is_positive())
-      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(m_orthogonality.ties(f))
         pieces.union_set(node(f, 0), node(f, 1));
 
     std::vector<bool> is_piece_fixed(number_of_nodes, false);

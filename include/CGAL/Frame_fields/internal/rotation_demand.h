@@ -272,7 +272,7 @@ private:
   std::vector<Reached_sector> supporting_sectors(const int corner)
   {
     if(m_strategy.support_radius() > 0)
-      return sectors_in_radius(m_surface, corner, m_strategy.support_radius(), m_distances);
+      return sectors_in_radius(m_surface, corner, m_strategy.support_radius() / m_surface.length_unit, m_distances);
     std::vector<Reached_sector> sectors =
       sectors_in_radius(m_surface, corner, local_feature_length(m_surface, corner), m_distances);
     keep_the_wedge(m_surface, corner, sectors);
