@@ -17,6 +17,7 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/corner_angles.h>
 #include <CGAL/Frame_fields/internal/face_basis.h>
+#include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/parameters.h>
 
@@ -328,6 +329,9 @@ private:
         int& target = m_surface.index_target[m_surface.sector[h]];
         if(given == NO_INDEX_TARGET || given == target)
           continue;
+        if(given < -largest_index_target || given > largest_index_target)
+          return failure(ERROR_WRONG_FIELD, "the index target is beyond +-" + std::to_string(largest_index_target)
+                                            + "/4 at " + description_of_sector(m_surface.sector[h]));
         if(target != NO_INDEX_TARGET)
           return failure(ERROR_WRONG_FIELD, "two index targets for the sector of "
                                             + description_of_sector(m_surface.sector[h]));
