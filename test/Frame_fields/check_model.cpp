@@ -1,5 +1,5 @@
-// Computes the field of a model and prints the facts of the contract that do not hold for it: exit code 0 if all hold, 1
-// if one does not, 2 if the files cannot be read.
+// Computes the field of a model and prints the facts of the contract that do not hold for it. The exit code is 0 if all
+// hold, 1 if one does not, and 2 if the files cannot be read.
 //
 //   check_model MODEL.off FEATURES
 

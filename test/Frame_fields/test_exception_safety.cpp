@@ -1,5 +1,6 @@
 // An allocation fails in each place at which it can: nothing leaks, and mesh and maps stay as they were.
 
+#include "sentinels.h"
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields.h>
@@ -90,8 +91,6 @@ using namespace test;
 
 typedef Surface_mesh::Halfedge_index Halfedge;
 
-constexpr int sentinel = -77;
-
 // A mesh, and maps that hold a sentinel everywhere, in memory that is there before any call.
 class Exception_safety : public testing::Test
 {
@@ -104,14 +103,9 @@ protected:
   // Several patches, sharp corners, one patch without constraint and an unmeshable corner to repair.
   static Model model()
   {
-    Model result = planar({ { 0, 0 }, { 3, 0.1 }, { 3, 3 }, { 0, 3 } }, 1.5, { { { 0, 0 }, { 3, 3 } }, { { 0, 0 }, { 3, 1 } } });
-    const Model closed = torus_of_few_faces();
-    const std::size_t offset = result.points.size();
-    for(const Point& p : closed.points)
-      result.points.push_back(p + Vector(100, 0, 0));
-    for(const auto& [p, q, r] : closed.triangles)
-      result.triangles.push_back({ p + offset, q + offset, r + offset });
-    return result;
+    const Model flat = planar({ { 0, 0 }, { 3, 0.1 }, { 3, 3 }, { 0, 3 } }, 1.5,
+                              { { { 0, 0 }, { 3, 3 } }, { { 0, 0 }, { 3, 1 } } });
+    return side_by_side(flat, torus_of_few_faces());
   }
 
   static Model torus_of_few_faces()
@@ -136,33 +130,14 @@ protected:
 
   void put_sentinels()
   {
-    for(const auto f : faces(mesh))
-    {
-      put(maps.alpha, f, sentinel);
-      put(maps.rho, f, sentinel);
-    }
-    for(const auto h : halfedges(mesh))
-    {
-      put(maps.index, h, sentinel);
-      put(maps.matching, h, sentinel);
-      put(maps.omega, h, sentinel);
-    }
+    test::put_sentinels(mesh, maps);
     corners.clear();
   }
 
-  bool are_maps_untouched() const
-  {
-    for(const auto f : faces(mesh))
-      if(get(maps.alpha, f) != sentinel || get(maps.rho, f) != sentinel)
-        return false;
-    for(const auto h : halfedges(mesh))
-      if(get(maps.index, h) != sentinel || get(maps.matching, h) != sentinel || get(maps.omega, h) != sentinel)
-        return false;
-    return corners.empty();
-  }
+  bool are_maps_untouched() const { return hold_sentinels(mesh, maps) && corners.empty(); }
 
-  // Calls `run()` with the n-th allocation failing, for n = 0, 1, ... until it succeeds. `is_unchanged()` must hold after
-  // each failure, and nothing may be allocated that was not before.
+  // Calls `run()` with the n-th allocation failing, for n = 0, 1, ... until it succeeds. `is_unchanged()` must hold
+  // after each failure, and nothing may be allocated that was not before.
   template <typename Run, typename IsUnchanged>
   static void expect_safe(const char* const function, const Run& run, const IsUnchanged& is_unchanged)
   {

@@ -41,16 +41,6 @@ Angles angles_of(const Mesh& mesh, const NamedParameters& np)
 // Faces with several constrained edges already split.
 Model split_model(const Model& model) { return Cad_mesh<Surface_mesh>(model).model(); }
 
-Model models_side_by_side(Model model, const Model& other)
-{
-  const std::size_t offset = model.points.size();
-  for(const Point& p : other.points)
-    model.points.push_back(p + Vector(100, 0, 0));
-  for(const auto& [p, q, r] : other.triangles)
-    model.triangles.push_back({ p + offset, q + offset, r + offset });
-  return model;
-}
-
 template <typename Mesh>
 Mesh without_faces_beyond(const std::size_t number_of_faces, Mesh mesh)
 {
@@ -79,7 +69,7 @@ TEST(Surface_mesh, may_have_removed_elements)
 {
   const Model model = split_model(wedge(33));
   const Surface_mesh mesh = Cad_mesh<Surface_mesh>(model).mesh;
-  const Surface_mesh before = Cad_mesh<Surface_mesh>(models_side_by_side(model, square(5))).mesh;
+  const Surface_mesh before = Cad_mesh<Surface_mesh>(side_by_side(model, square(5))).mesh;
   const Surface_mesh with_garbage = without_faces_beyond(model.triangles.size(), before);
   ASSERT_TRUE(with_garbage.has_garbage());
   EXPECT_TRUE(angles_of(mesh, defaults) == angles_of(with_garbage, defaults));
@@ -89,7 +79,7 @@ TEST(Face_filtered_graph, is_a_mesh_of_its_own)
 {
   const Model model = split_model(wedge(33));
   const Surface_mesh mesh = Cad_mesh<Surface_mesh>(model).mesh;
-  Surface_mesh two_meshes = Cad_mesh<Surface_mesh>(models_side_by_side(model, square(5))).mesh;
+  Surface_mesh two_meshes = Cad_mesh<Surface_mesh>(side_by_side(model, square(5))).mesh;
   const auto first_faces = faces(two_meshes);
   const std::vector<Surface_mesh::Face_index> selection(first_faces.begin(),
                                                         std::next(first_faces.begin(), model.triangles.size()));

@@ -315,6 +315,16 @@ Model transformed(Model model, const std::function<Point(const Point&)>& map)
   return model;
 }
 
+Model side_by_side(Model model, const Model& other)
+{
+  const std::size_t offset = model.points.size();
+  for(const Point& p : other.points)
+    model.points.push_back(p + Vector(100, 0, 0));
+  for(const auto& [p, q, r] : other.triangles)
+    model.triangles.push_back({ p + offset, q + offset, r + offset });
+  return model;
+}
+
 Model repaired(Model model)
 {
   if(!PMP::is_polygon_soup_a_polygon_mesh(model.triangles))

@@ -77,6 +77,9 @@ Model transformed(Model model, const std::function<Point(const Point&)>& map);
 // Leaves an oriented manifold as it is and makes one of any other soup.
 Model repaired(Model model);
 
+// Both models, the other one 100 away.
+Model side_by_side(Model model, const Model& other);
+
 // Reads an OFF file, and feature edges from a file of index pairs or, without one, by dihedral angle. A soup that is no
 // oriented manifold is repaired.
 Model read_model(const std::string& model_file, const std::string& feature_file = "");

@@ -1,6 +1,6 @@
-// What holds on every mesh, on models drawn at random. The environment variable FRAME_FIELDS_RANDOM_MODELS sets how many
-// of each kind, FRAME_FIELDS_SEED the first seed, and FRAME_FIELDS_FAILURES a folder into which models that fail are
-// written, for check_model and shrink_failing_model.py.
+// What holds on every mesh, on models drawn at random. The environment variable FRAME_FIELDS_RANDOM_MODELS sets how
+// many of each kind, FRAME_FIELDS_SEED the first seed, and FRAME_FIELDS_FAILURES a folder into which models that fail
+// are written, for check_model and shrink_failing_model.py.
 
 #include "field_contract.h"
 #include "random_models.h"
@@ -35,8 +35,8 @@ Transformation rigid_motion(const unsigned int seed)
 // Where several paths of the repair cost the same, rounding errors decide.
 const auto without_repair = parameters::repair_matching(false);
 
-// The least distance of an r_ij from being as near to omega_ij with one matching as with the next one. Where it is 0, as it
-// is by necessity in some patches all of whose faces are aligned, rounding errors decide.
+// The least distance of an r_ij from being as near to omega_ij with one matching as with the next one. Where it is 0,
+// as it is by necessity in some patches all of whose faces are aligned, rounding errors decide.
 double distance_from_tie(const Cad_mesh<Surface_mesh>& cad_mesh)
 {
   const Cut cut = cad_mesh.cut();

@@ -4,6 +4,7 @@
 #include "Fuzz_case.h"
 
 #include "../field_contract.h"
+#include "../sentinels.h"
 
 #include <CGAL/Frame_fields.h>
 
@@ -26,43 +27,12 @@ typedef Surface_mesh Mesh;
 typedef Mesh::Face_index Face;
 typedef Mesh::Halfedge_index Halfedge;
 
-constexpr int sentinel = -77;
-
 void expect(const bool is_true, const std::string& fact)
 {
   if(is_true)
     return;
   std::cerr << "broken: " << fact << std::endl;
   std::abort();
-}
-
-// What the maps hold before a call.
-Maps<Mesh> maps_of_sentinels(const Mesh& mesh)
-{
-  const Maps<Mesh> maps(mesh);
-  for(const Face f : faces(mesh))
-  {
-    put(maps.alpha, f, sentinel);
-    put(maps.rho, f, sentinel);
-  }
-  for(const Halfedge h : halfedges(mesh))
-  {
-    put(maps.index, h, sentinel);
-    put(maps.matching, h, sentinel);
-    put(maps.omega, h, sentinel);
-  }
-  return maps;
-}
-
-bool holds_sentinels(const Mesh& mesh, const Maps<Mesh>& maps)
-{
-  for(const Face f : faces(mesh))
-    if(get(maps.alpha, f) != sentinel || get(maps.rho, f) != sentinel)
-      return false;
-  for(const Halfedge h : halfedges(mesh))
-    if(get(maps.index, h) != sentinel || get(maps.matching, h) != sentinel || get(maps.omega, h) != sentinel)
-      return false;
-  return true;
 }
 
 // What else the bytes may give: directions and weights of faces, and targets of sectors.
@@ -175,7 +145,8 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
 {
   const Mesh& mesh = cad_mesh.mesh;
   const Expectation expectation(cad_mesh, fuzz_parameters);
-  const Maps<Mesh> maps = maps_of_sentinels(mesh);
+  const Maps<Mesh> maps(mesh);
+  put_sentinels(mesh, maps);
   FF::Statistics statistics;
   std::vector<Halfedge> corners;
   const FF::Result result = FF::cad_frame_field(
@@ -185,7 +156,7 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   expect(expectation.allows(result.error_code), "an unexpected answer: " + result.message);
   if(!result)
   {
-    expect(holds_sentinels(mesh, maps) && corners.empty(), "outputs stay untouched on failure");
+    expect(hold_sentinels(mesh, maps) && corners.empty(), "outputs stay untouched on failure");
     return;
   }
   const Cut cut = cad_mesh.cut();
@@ -197,7 +168,7 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   expect(meets_targets(mesh, maps, guidance), "index targets are met");
   expect(std::isfinite(statistics.energy_orthogonal), "the energy is finite");
 
-  const Maps<Mesh> staged = maps_of_sentinels(mesh);
+  const Maps<Mesh> staged(mesh);
   const auto with_matching = parameters::join(np, parameters::matching_map(staged.matching));
   expect(bool(FF::prescribe_rotation(mesh, staged.omega, np)), "the rotation is prescribed");
   expect(bool(FF::orthogonal_frame_field(
