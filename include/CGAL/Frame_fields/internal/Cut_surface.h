@@ -233,11 +233,13 @@ inline void collect_sectors(Cut_surface& surface)
   }
 }
 
-// The length of the edge of a halfedge divided by the height of its triangle over it.
-inline double length_over_height(const Cut_surface& surface, const int halfedge)
+// The height of a triangle over the edge of a halfedge divided by the length of that edge.
+inline double height_over_length(const Cut_surface& surface, const int halfedge)
 {
   const double at_target = surface.angle[halfedge], at_source = surface.angle[previous_of(halfedge)];
-  return std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+  const double length_over_height =
+    std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+  return std::isnan(length_over_height) ? 0 : 1 / length_over_height; // 0 / 0 in a triangle without area
 }
 
 inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
@@ -246,7 +248,7 @@ inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const 
     return 1;
   // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
   const double smallest = 1e-6, largest = 1e6;
-  const double dual_over_primal = 1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
+  const double dual_over_primal = height_over_length(surface, e.halfedge) + height_over_length(surface, e.opposite);
   return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
 }
 
