@@ -248,6 +248,28 @@ TEST_F(Exception_safety, of_the_functions_that_look_at_a_field)
   }, [&] { return quality.energy == sentinel; });
 }
 
+TEST_F(Exception_safety, of_the_functions_that_refine_a_mesh)
+{
+  const auto expect_mesh_safe = [](const char* const function, const auto& refine)
+  {
+    Cad_mesh<Surface_mesh> coarse(side_by_side(cube(), wedge(20)), false);
+    const Model before = coarse.model();
+    const std::size_t number_of_vertices = num_vertices(coarse.mesh);
+    expect_safe(function, [&] { return refine(coarse) > 0 ? FF::OK : FF::ERROR_EMPTY_MESH; }, [&]
+    {
+      const Model after = coarse.model();
+      return CGAL::is_valid_polygon_mesh(coarse.mesh) && after.points == before.points
+          && after.triangles == before.triangles && after.features == before.features;
+    });
+    EXPECT_GT(num_vertices(coarse.mesh), number_of_vertices);
+  };
+  expect_mesh_safe("split_overconstrained_faces", [](auto& coarse)
+  {
+    return FF::split_overconstrained_faces(coarse.mesh, coarse.features());
+  });
+  expect_mesh_safe("split_chords", [](auto& coarse) { return FF::split_chords(coarse.mesh, coarse.features()); });
+}
+
 // The message is built of allocations, too.
 TEST_F(Exception_safety, of_a_failure_that_is_reported)
 {
