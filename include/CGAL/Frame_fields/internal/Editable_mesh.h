@@ -67,7 +67,7 @@ public:
   // Makes room for new elements, so that no allocation fails while the mesh is changed; as far as its class has this.
   void reserve_for(const std::size_t vertices, const std::size_t edges, const std::size_t faces) const
   {
-    reserve_in(m_mesh, num_vertices(m_mesh) + vertices, num_edges(m_mesh) + edges, num_faces(m_mesh) + faces, 0);
+    reserve_in(m_mesh, vertices, edges, faces, 0);
   }
 
   bool is_constrained(const halfedge_descriptor h) const
@@ -91,9 +91,9 @@ public:
 private:
   template <typename Mesh>
   static auto reserve_in(Mesh& mesh, const std::size_t vertices, const std::size_t edges, const std::size_t faces, int)
-    -> decltype(reserve(mesh, vertices, edges, faces))
+    -> decltype(reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces))
   {
-    return reserve(mesh, vertices, edges, faces);
+    return reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces);
   }
   template <typename Mesh>
   static void reserve_in(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
