@@ -50,6 +50,7 @@ class Geodesic_distances
 public:
   Geodesic_distances(const Cut_surface& surface, const Patch& patch)
     : m_surface(surface), m_patch(patch), m_distance(patch.sectors.size(), infinity())
+    , m_is_visited(patch.sectors.size(), false)
   {}
 
   // Calls `visit(sector, distance)` for the sectors in the order of their distances until it returns false.
@@ -57,7 +58,10 @@ public:
   void walk_from(const int source, const Visit& visit)
   {
     for(const int sector : m_reached)
+    {
       distance(sector) = infinity();
+      m_is_visited[local(sector)] = false;
+    }
     m_reached.clear();
     m_queue = Queue();
     lower(source, 0);
@@ -69,6 +73,7 @@ public:
         continue;
       if(!visit(sector, d))
         return;
+      m_is_visited[local(sector)] = true;
       for_each_corner(m_surface.opposite, m_surface.first_corner[sector], [this](const int corner) { advance(corner); });
     }
   }
@@ -78,11 +83,13 @@ private:
   typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > Queue;
 
   static double infinity() { return std::numeric_limits<double>::infinity(); }
-  double& distance(const int sector) { return m_distance[sector - m_patch.sectors.begin_index]; }
+  int local(const int sector) const { return sector - m_patch.sectors.begin_index; }
+  double& distance(const int sector) { return m_distance[local(sector)]; }
 
+  // A sector is visited once: in needles, rounding errors could lower distances for ever.
   void lower(const int sector, const double d)
   {
-    if(!(d < distance(sector)))
+    if(m_is_visited[local(sector)] || !(d < distance(sector)))
       return;
     if(distance(sector) == infinity())
       m_reached.push_back(sector);
@@ -105,7 +112,8 @@ private:
 
   const Cut_surface& m_surface;
   const Patch& m_patch;
-  std::vector<double> m_distance; // per sector of the patch
+  std::vector<double> m_distance;  // per sector of the patch
+  std::vector<char> m_is_visited;  // per sector of the patch
   std::vector<int> m_reached;
   Queue m_queue;
 };
