@@ -4,11 +4,12 @@
 usage: shrink_failing_model.py MODEL.off FEATURES CHECKER [ARGUMENT...]
 
 CHECKER is called with its arguments, a mesh file and a file of feature edges (two vertex numbers a line), such as
-check_model. The model fails if its exit code is the one it has for MODEL and FEATURES, which must not be 0. The result
-goes to the standard output, the mesh as OFF and the feature edges as comments behind it, and to shrunk.off and
-shrunk.feat in the current folder.
+check_model. A model fails as MODEL and FEATURES do if the exit code is the same, which must not be 0, and so are the
+words that are printed before the first number or colon. The result goes to the standard output, the mesh as OFF and
+the feature edges as comments behind it, and to shrunk.off and shrunk.feat in the current folder.
 """
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -103,16 +104,17 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         candidate_files = pathlib.Path(folder, "model.off"), pathlib.Path(folder, "model.feat")
 
-        def exit_code(model):
+        def outcome(model):
             model.compact().write(*candidate_files)
-            return subprocess.run(checker + [str(file) for file in candidate_files], stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.DEVNULL, check=False).returncode
+            run = subprocess.run(checker + [str(file) for file in candidate_files], stdout=subprocess.PIPE,
+                                 stderr=subprocess.DEVNULL, text=True, check=False)
+            return run.returncode, re.split(r"[\d:]", run.stdout)[0]
 
         model = read_model(pathlib.Path(mesh_file), pathlib.Path(feature_file))
-        failure = exit_code(model)
-        if failure == 0:
+        failure = outcome(model)
+        if failure[0] == 0:
             sys.exit(f"{mesh_file} does not fail")
-        shrunk = shrink(model.compact(), lambda candidate: exit_code(candidate) == failure)
+        shrunk = shrink(model.compact(), lambda candidate: outcome(candidate) == failure)
     shrunk.write(pathlib.Path("shrunk.off"), pathlib.Path("shrunk.feat"))
     print(shrunk.off() + "".join(f"# feature edge {line}\n" for line in shrunk.feature_lines()), end="")
 
