@@ -3,6 +3,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace test {

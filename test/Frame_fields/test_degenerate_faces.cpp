@@ -7,6 +7,7 @@
 #include <CGAL/Frame_fields.h>
 
 #include <map>
+#include <set>
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "random_models.h"
 #include "test_covariance.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
