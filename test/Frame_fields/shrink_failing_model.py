@@ -89,7 +89,7 @@ def minimal_sublist(elements, fails):
 def shrink(model, fails):
     """Leaves out faces and features in turn until none of both can go."""
     while True:
-        faces = minimal_sublist(model.faces, lambda faces: fails(model.with_faces(faces)))
+        faces = minimal_sublist(model.faces, lambda faces: faces and fails(model.with_faces(faces)))
         fewer_faces = model.with_faces(faces)
         features = minimal_sublist(model.features, lambda edges: fails(fewer_faces.with_features(edges)))
         if (faces, features) == (model.faces, model.features):
