@@ -1,3 +1,4 @@
+#include "sentinels.h"
 #include "test_cad_mesh.h"
 #include "test_solver_traits.h"
 
@@ -20,7 +21,6 @@ using CGAL::Frame_fields::Support_strategy;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int sentinel = -77;
 
 // A mesh, and maps that hold a sentinel everywhere.
 template <typename Mesh_>
@@ -33,36 +33,13 @@ struct Case
   std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> corners;
 
   explicit Case(const Model& model, const bool splits = true) : Case(Cad_mesh<Mesh>(model, splits).mesh) {}
-  explicit Case(const Mesh& mesh_) : mesh(mesh_), maps(mesh)
-  {
-    for(const auto f : faces(mesh))
-    {
-      put(maps.alpha, f, sentinel);
-      put(maps.rho, f, sentinel);
-    }
-    for(const auto h : halfedges(mesh))
-    {
-      put(maps.index, h, sentinel);
-      put(maps.matching, h, sentinel);
-      put(maps.omega, h, sentinel);
-    }
-  }
+  explicit Case(const Mesh& mesh_) : mesh(mesh_), maps(mesh) { put_sentinels(mesh, maps); }
 
   Case(const Case&) = delete;
 
   void expect_untouched() const
   {
-    for(const auto f : faces(mesh))
-    {
-      EXPECT_EQ(sentinel, get(maps.alpha, f));
-      EXPECT_EQ(sentinel, get(maps.rho, f));
-    }
-    for(const auto h : halfedges(mesh))
-    {
-      EXPECT_EQ(sentinel, get(maps.index, h));
-      EXPECT_EQ(sentinel, get(maps.matching, h));
-      EXPECT_EQ(sentinel, get(maps.omega, h));
-    }
+    EXPECT_TRUE(hold_sentinels(mesh, maps));
     EXPECT_TRUE(corners.empty());
   }
 

@@ -1,6 +1,7 @@
 #include "test_cad_mesh.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -134,6 +135,18 @@ TYPED_TEST(Index_targets, two_targets_for_one_sector_are_refused)
   for(const auto h : CGAL::halfedges_around_target(halfedge(*faces(cad_mesh.mesh).begin(), cad_mesh.mesh), cad_mesh.mesh))
     put(map, h, target++);
   EXPECT_EQ(FF::ERROR_WRONG_FIELD, this->error(cad_mesh, map).error_code);
+}
+
+TYPED_TEST(Index_targets, beyond_250_turns_are_refused)
+{
+  const Cad_mesh<TypeParam> cad_mesh(sphere());
+  const int largest = std::numeric_limits<int>::max();
+  for(const int target : { 1001, -1001, largest, -largest })
+  {
+    const FF::Result result = this->error(cad_mesh, this->target_map(cad_mesh, cad_mesh.cut(), { { 0, target } }));
+    EXPECT_EQ(FF::ERROR_WRONG_FIELD, result.error_code);
+    EXPECT_NE(std::string::npos, result.message.find("vertex at (")) << result.message;
+  }
 }
 
 } // namespace

@@ -74,24 +74,6 @@ Mesh to_mesh(const Model& model)
   return mesh;
 }
 
-Model to_model(const Mesh& mesh)
-{
-  Model result;
-  std::map<Mesh::Vertex_index, std::size_t> number;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-  {
-    number[v] = result.points.size();
-    result.points.push_back(mesh.point(v));
-  }
-  for(const Mesh::Face_index f : mesh.faces())
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.triangles.push_back({ number[mesh.source(h)], number[mesh.target(h)],
-                                 number[mesh.target(mesh.next(h))] });
-  }
-  return result;
-}
-
 } // namespace
 
 std::pair<Point, Point> segment(const Point& p, const Point& q)
@@ -242,14 +224,19 @@ Model torus()
   });
 }
 
+Model convex_hull(const std::vector<Point>& points)
+{
+  Mesh hull;
+  CGAL::convex_hull_3(points.begin(), points.end(), hull);
+  return to_model(hull);
+}
+
 Model sphere()
 {
   CGAL::Random random(1);
   std::vector<Point> points;
   std::copy_n(CGAL::Random_points_on_sphere_3<Point>(1, random), 500, std::back_inserter(points));
-  Mesh hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return to_model(hull);
+  return convex_hull(points);
 }
 
 Model tetrahedron()
@@ -328,6 +315,26 @@ Model transformed(Model model, const std::function<Point(const Point&)>& map)
   return model;
 }
 
+Model side_by_side(Model model, const Model& other)
+{
+  const std::size_t offset = model.points.size();
+  for(const Point& p : other.points)
+    model.points.push_back(p + Vector(100, 0, 0));
+  for(const auto& [p, q, r] : other.triangles)
+    model.triangles.push_back({ p + offset, q + offset, r + offset });
+  return model;
+}
+
+Model repaired(Model model)
+{
+  if(!PMP::is_polygon_soup_a_polygon_mesh(model.triangles))
+  {
+    PMP::repair_polygon_soup(model.points, model.triangles);
+    PMP::orient_polygon_soup(model.points, model.triangles);
+  }
+  return model;
+}
+
 Model read_model(const std::string& model_file, const std::string& feature_file)
 {
   Model result;
@@ -339,12 +346,40 @@ Model read_model(const std::string& model_file, const std::string& feature_file)
     for(std::size_t i, j; in >> i >> j;)
       result.features.push_back(segment(result.points.at(i), result.points.at(j)));
   }
-  if(!PMP::is_polygon_soup_a_polygon_mesh(result.triangles))
-  {
-    PMP::repair_polygon_soup(result.points, result.triangles);
-    PMP::orient_polygon_soup(result.points, result.triangles);
-  }
+  result = repaired(std::move(result));
   return feature_file.empty() ? with_sharp_edges(std::move(result)) : result;
+}
+
+void write_model(const Model& model, const std::string& stem)
+{
+  std::ofstream mesh_file(stem + ".off");
+  mesh_file.precision(17);
+  CGAL::IO::write_OFF(mesh_file, model.points, model.triangles,
+                      CGAL::parameters::stream_precision(17));
+  std::map<Point, std::size_t> number;
+  for(std::size_t p = 0; p < model.points.size(); ++p)
+    number[model.points[p]] = p;
+  std::ofstream feature_file(stem + ".feat");
+  for(const auto& [p, q] : model.features)
+    feature_file << number.at(p) << " " << number.at(q) << "\n";
+}
+
+Model to_model(const Mesh& mesh)
+{
+  Model result;
+  std::map<Mesh::Vertex_index, std::size_t> number;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+  {
+    number[v] = result.points.size();
+    result.points.push_back(mesh.point(v));
+  }
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    result.triangles.push_back({ number[mesh.source(h)], number[mesh.target(h)],
+                                 number[mesh.target(mesh.next(h))] });
+  }
+  return result;
 }
 
 bool Named_model::is_available() const { return file.empty() || std::ifstream(file).good(); }

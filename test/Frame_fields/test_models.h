@@ -2,6 +2,7 @@
 #define TEST_FRAME_FIELDS_TEST_MODELS_H
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <array>
 #include <cstddef>
@@ -52,6 +53,7 @@ Model square(int n);
 Model annulus(int m, int n);
 Model open_cylinder();
 Model torus();
+Model convex_hull(const std::vector<Point>& points);
 Model sphere();
 
 Model tetrahedron(); // all edges are features
@@ -72,9 +74,21 @@ Model with_sharp_edges(Model model);
 
 Model transformed(Model model, const std::function<Point(const Point&)>& map);
 
+// Leaves an oriented manifold as it is and makes one of any other soup.
+Model repaired(Model model);
+
+// Both models, the other one 100 away.
+Model side_by_side(Model model, const Model& other);
+
 // Reads an OFF file, and feature edges from a file of index pairs or, without one, by dihedral angle. A soup that is no
 // oriented manifold is repaired.
 Model read_model(const std::string& model_file, const std::string& feature_file = "");
+
+// Writes `stem`.off and `stem`.feat, which `read_model()` reads.
+void write_model(const Model& model, const std::string& stem);
+
+// The faces of a mesh as they are, without features.
+Model to_model(const CGAL::Surface_mesh<Point>& mesh);
 
 // A model that is made when a test needs it.
 struct Named_model

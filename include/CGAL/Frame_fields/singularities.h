@@ -120,7 +120,7 @@ Result singularities(const TriangleMesh& tm, IndexMap index_map, OutputIterator 
       const int index = get(index_map, h);
       if(index != 0)
         found.push_back({ h, index, surface.is_constrained_sector(s), surface.total_angle[s],
-                          internal::distance_to_constrained_sector(surface, s, distances) });
+                          surface.length_unit * internal::distance_to_constrained_sector(surface, s, distances) });
     }
   }
   for(const auto& singularity : found)

@@ -68,6 +68,7 @@ The surface does not change.
 \return the number of edges that were split
 
 \exception std::invalid_argument if a face is not a triangle; its message names the face, and `tm` is unchanged
+\exception std::bad_alloc if memory is exhausted; a `CGAL::Surface_mesh` is unchanged then
 
 \cgalBigO{n} for \f$ n \f$ faces.
 
@@ -94,6 +95,8 @@ std::size_t split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::param
     if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
       chords.push_back(h);
   }
+
+  mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
 
   // Joins the midpoint at the target of `to_midpoint` to the third vertex of the face.
   const auto split_face = [&](const halfedge_descriptor to_midpoint)

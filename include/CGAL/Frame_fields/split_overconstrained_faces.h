@@ -83,6 +83,7 @@ this function and `split_chords()` modify a mesh.
 \return the number of faces that were split
 
 \exception std::invalid_argument if a face is not a triangle; its message names the face, and `tm` is unchanged
+\exception std::bad_alloc if memory is exhausted; a `CGAL::Surface_mesh` is unchanged then
 
 \cgalBigO{n} for \f$ n \f$ faces.
 
@@ -104,6 +105,7 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
       overconstrained.push_back(h);
   }
 
+  mesh.reserve_for(overconstrained.size(), 3 * overconstrained.size(), 2 * overconstrained.size());
   for(const halfedge_descriptor h : overconstrained)
   {
     const auto center = internal::point_inside(mesh.point(source(h, tm)), mesh.point(target(h, tm)),

@@ -17,6 +17,7 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/corner_angles.h>
 #include <CGAL/Frame_fields/internal/face_basis.h>
+#include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/parameters.h>
 
@@ -28,6 +29,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cmath>
@@ -227,8 +229,25 @@ private:
     m_faces.swap(sorted_faces);
   }
 
+  // The largest power of two up to the size of the coordinates.
+  double length_unit() const
+  {
+    double largest = 0;
+    for(const face_descriptor f : m_faces)
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        largest = (std::max)(largest, maximum_norm(coordinates(target(h, m_mesh))));
+    return largest > 0 && std::isfinite(largest) ? std::scalbn(1., std::ilogb(largest)) : 1;
+  }
+
+  static Coordinates in_unit(const Coordinates& point, const double unit)
+  {
+    return { point[0] / unit, point[1] / unit, point[2] / unit };
+  }
+
   Result measure(const bool measures_lengths)
   {
+    if(measures_lengths)
+      m_surface.length_unit = length_unit();
     m_surface.angle.reserve(3 * m_faces.size());
     for(const face_descriptor f : m_faces)
     {
@@ -247,7 +266,8 @@ private:
         m_surface.angle.push_back(angle);
       if(measures_lengths)
         for(int k = 0; k < 3; ++k)
-          m_surface.length.push_back(distance(points[(k + 2) % 3], points[k]));
+          m_surface.length.push_back(distance(in_unit(points[(k + 2) % 3], m_surface.length_unit),
+                                              in_unit(points[k], m_surface.length_unit)));
     }
     return {};
   }
@@ -309,6 +329,9 @@ private:
         int& target = m_surface.index_target[m_surface.sector[h]];
         if(given == NO_INDEX_TARGET || given == target)
           continue;
+        if(given < -largest_index_target || given > largest_index_target)
+          return failure(ERROR_WRONG_FIELD, "the index target is beyond +-" + std::to_string(largest_index_target)
+                                            + "/4 at " + description_of_sector(m_surface.sector[h]));
         if(target != NO_INDEX_TARGET)
           return failure(ERROR_WRONG_FIELD, "two index targets for the sector of "
                                             + description_of_sector(m_surface.sector[h]));

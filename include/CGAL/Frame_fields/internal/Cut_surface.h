@@ -61,7 +61,8 @@ struct Cut_surface
   std::vector<double> transport;             // per dual edge: c_ij
   Edge_weighting edge_weighting = UNIFORM_WEIGHTS;
   std::vector<double> weight;                // per dual edge: w_ij
-  std::vector<double> length;                // per halfedge: its length; empty unless asked for
+  double length_unit = 1;                    // a power of two near the size of the mesh: areas do not overflow then
+  std::vector<double> length;                // per halfedge: its length in this unit; empty unless asked for
   std::vector<double> alignment;             // per face: the angle that a branch must keep, NaN if there is none
   std::vector<double> guide_angle;           // per face: the angle near which a branch should be; empty if not guided
   std::vector<double> guide_weight;          // per face: how strongly, 0 if not at all; empty if not guided
@@ -232,11 +233,13 @@ inline void collect_sectors(Cut_surface& surface)
   }
 }
 
-// The length of the edge of a halfedge divided by the height of its triangle over it.
-inline double length_over_height(const Cut_surface& surface, const int halfedge)
+// The height of a triangle over the edge of a halfedge divided by the length of that edge.
+inline double height_over_length(const Cut_surface& surface, const int halfedge)
 {
   const double at_target = surface.angle[halfedge], at_source = surface.angle[previous_of(halfedge)];
-  return std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+  const double length_over_height =
+    std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
+  return std::isnan(length_over_height) ? 0 : 1 / length_over_height; // 0 / 0 in a triangle without area
 }
 
 inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
@@ -245,7 +248,7 @@ inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const 
     return 1;
   // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
   const double smallest = 1e-6, largest = 1e6;
-  const double dual_over_primal = 1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
+  const double dual_over_primal = height_over_length(surface, e.halfedge) + height_over_length(surface, e.opposite);
   return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
 }
 
@@ -259,11 +262,18 @@ inline double area(const Cut_surface& surface, const int face)
 // is an integral, as it is for the relaxation.
 inline double guide_weight(const Cut_surface& surface, const int face)
 {
-  if(surface.guide_weight.empty())
+  if(surface.guide_weight.empty() || surface.guide_weight[face] == 0)
     return 0;
-  const double factor = surface.edge_weighting == UNIFORM_WEIGHTS ? 1 : area(surface, face) / std::sqrt(3.);
-  return factor * surface.guide_weight[face];
+  double weight = surface.guide_weight[face];
+  if(surface.edge_weighting != UNIFORM_WEIGHTS)
+    weight *= surface.length_unit * area(surface, face) / std::sqrt(3.) * surface.length_unit;
+  // The edges have weights of about 1. A much larger weight would drown them, and holds the frame as it is.
+  const double largest = 1e8;
+  return (std::min)(largest, weight);
 }
+
+// A weight that is not more is lost in the rounding errors of the edge weights.
+constexpr double smallest_effective_weight = 1e-12;
 
 inline double patch_area(const Cut_surface& surface, const Patch& patch)
 {

@@ -64,6 +64,12 @@ public:
     }
   }
 
+  // Makes room for new elements, so that no allocation fails while the mesh is changed; as far as its class has this.
+  void reserve_for(const std::size_t vertices, const std::size_t edges, const std::size_t faces) const
+  {
+    reserve_in(m_mesh, vertices, edges, faces, 0);
+  }
+
   bool is_constrained(const halfedge_descriptor h) const
   {
     return is_border(h, m_mesh) || is_border(opposite(h, m_mesh), m_mesh)
@@ -83,6 +89,15 @@ public:
   Geom_traits traits() const { return m_traits; }
 
 private:
+  template <typename Mesh>
+  static auto reserve_in(Mesh& mesh, const std::size_t vertices, const std::size_t edges, const std::size_t faces, int)
+    -> decltype(reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces))
+  {
+    return reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces);
+  }
+  template <typename Mesh>
+  static void reserve_in(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
+
   typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::type Vertex_point_map;
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     CGAL::internal_np::edge_is_constrained_t, NamedParameters,

@@ -50,14 +50,19 @@ class Geodesic_distances
 public:
   Geodesic_distances(const Cut_surface& surface, const Patch& patch)
     : m_surface(surface), m_patch(patch), m_distance(patch.sectors.size(), infinity())
+    , m_number_of_visits(patch.sectors.size(), 0)
   {}
 
-  // Calls `visit(sector, distance)` for the sectors in the order of their distances until it returns false.
+  // Calls `visit(sector, distance)` once for each sector, in the order of their distances, until it returns false. A
+  // distance may still be lowered later.
   template <typename Visit>
   void walk_from(const int source, const Visit& visit)
   {
     for(const int sector : m_reached)
+    {
       distance(sector) = infinity();
+      m_number_of_visits[local(sector)] = 0;
+    }
     m_reached.clear();
     m_queue = Queue();
     lower(source, 0);
@@ -67,25 +72,29 @@ public:
       m_queue.pop();
       if(d > distance(sector))
         continue;
-      if(!visit(sector, d))
+      if(m_number_of_visits[local(sector)]++ == 0 && !visit(sector, d))
         return;
       for_each_corner(m_surface.opposite, m_surface.first_corner[sector], [this](const int corner) { advance(corner); });
     }
   }
 
   // The distance of a sector from the last source: that of a sector visited, and at least it for the others.
-  double distance_of(const int sector) const { return m_distance[sector - m_patch.sectors.begin_index]; }
+  double distance_of(const int sector) const { return m_distance[local(sector)]; }
 
 private:
   typedef std::pair<double, int> Entry; // distance, sector
   typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > Queue;
 
   static double infinity() { return std::numeric_limits<double>::infinity(); }
-  double& distance(const int sector) { return m_distance[sector - m_patch.sectors.begin_index]; }
+  int local(const int sector) const { return sector - m_patch.sectors.begin_index; }
+  double& distance(const int sector) { return m_distance[local(sector)]; }
 
+  // Beyond obtuse corners the front may come again by a shorter way. In needles, rounding errors could lower distances
+  // for ever, so there is a limit.
   void lower(const int sector, const double d)
   {
-    if(!(d < distance(sector)))
+    const unsigned char maximum_number_of_visits = 8;
+    if(m_number_of_visits[local(sector)] >= maximum_number_of_visits || !(d < distance(sector)))
       return;
     if(distance(sector) == infinity())
       m_reached.push_back(sector);
@@ -109,6 +118,7 @@ private:
   const Cut_surface& m_surface;
   const Patch& m_patch;
   std::vector<double> m_distance; // per sector of the patch
+  std::vector<unsigned char> m_number_of_visits; // per sector of the patch
   std::vector<int> m_reached;
   Queue m_queue;
 };

@@ -23,7 +23,7 @@ struct Patch_result
 {
   Error_code error_code = OK;
   int sector = 0;
-  int missing_index = 0; // with ERROR_POINCARE_HOPF: what 4 I lacks in the patch of the sector
+  long long missing_index = 0; // with ERROR_POINCARE_HOPF: what 4 I lacks in the patch of the sector
 };
 
 } // namespace internal

@@ -28,6 +28,9 @@ namespace internal {
 // The largest 4 I that a quadrangle mesh can have at a sector on a constrained edge.
 constexpr int maximum_meshable_index = 1;
 
+// The largest |4 I| that may be asked for: indices move by 1/4, and more turns are no use.
+constexpr int largest_index_target = 1000;
+
 // 4 I nearest to what the angle of a sector asks for: 0 inside, 1 at the corner of a square, 0 on a straight border.
 inline int natural_index(const Cut_surface& surface, const int sector)
 {
@@ -54,9 +57,9 @@ inline bool has_index_targets(const Cut_surface& surface, const Patch& patch)
 }
 
 // What the targets of a patch lack to 4 times its Euler characteristic.
-inline int missing_index(const Cut_surface& surface, const Patch& patch)
+inline long long missing_index(const Cut_surface& surface, const Patch& patch)
 {
-  int missing = 4 * euler_characteristic(patch);
+  long long missing = 4 * euler_characteristic(patch);
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
     missing -= target_of_sector(surface, s);
   return missing;

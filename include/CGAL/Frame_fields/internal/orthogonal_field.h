@@ -56,7 +56,7 @@ public:
     {
       if(has_unknown(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
-      if(surface.is_aligned(f) || guide_weight(surface, f) > 0)
+      if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
         m_is_anchored = true;
     }
   }

@@ -117,7 +117,7 @@ inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, c
   is_needed = true;
   if(has_index_targets(surface, patch))
   {
-    const int missing = missing_index(surface, patch);
+    const long long missing = missing_index(surface, patch);
     if(missing != 0)
       return { ERROR_POINCARE_HOPF, patch.sectors.begin_index, missing };
     demand_index_targets(surface, patch, demand);

@@ -25,9 +25,11 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -66,17 +68,27 @@ public:
   {
     if(!m_is_integral)
       return;
+    const double length = options.orthogonality_length / surface.length_unit;
     const double default_squared_length = default_length_ratio * default_length_ratio * patch_area(surface, patch);
-    const double squared_length = options.orthogonality_length > 0
-                                ? options.orthogonality_length * options.orthogonality_length : default_squared_length;
+    const double squared_length =
+      options.orthogonality_length > 0 ? (std::max)(length * length, smallest_number) : default_squared_length;
     m_factor = squared_length > 0 ? 1 / (std::sqrt(3.) * squared_length) : 0; // 0: a patch without area
   }
 
-  bool is_positive() const { return m_factor > 0; }
-  double weight(const int face) const { return m_is_integral ? m_factor * area(m_surface, face) : m_factor; }
+  double weight(const int face) const
+  {
+    return (std::min)(largest_weight, m_is_integral ? m_factor * area(m_surface, face) : m_factor);
+  }
+
+  // Whether the weight ties the two branches of a face to one another. One that vanishes in the rounding errors of the
+  // edge weights does not.
+  bool ties(const int face) const { return weight(face) > smallest_effective_weight; }
 
 private:
   static constexpr double default_length_ratio = 0.25; // of the square root of the patch's area
+  static constexpr double smallest_number = (std::numeric_limits<double>::min)();
+  // The edges have weights of about 1. A much larger weight would drown them, and holds the frames orthogonal as it is.
+  static constexpr double largest_weight = 1e8;
 
   const Cut_surface& m_surface;
   bool m_is_integral;
@@ -209,9 +221,9 @@ private:
       visit(m_variable[sum(i)], m_variable[sum(j)], m_surface.weight[e]);
       visit(m_variable[difference(i)], m_matching[e] % 2 == 0 ? d_j : -d_j, m_surface.weight[e]);
     }
-    if(m_orthogonality.is_positive())
-      for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-        visit(m_variable[difference(f)], Variable{ -1, 1 }, 2 * m_orthogonality.weight(f));
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(const double weight = m_orthogonality.weight(f); weight > 0)
+        visit(m_variable[difference(f)], Variable{ -1, 1 }, 2 * weight);
     for_each_guided_face([&](const int face, const Variable& s, const Variable& d)
                          { visit(s, -d, guide_weight(m_surface, face)); });
   }
@@ -220,7 +232,8 @@ private:
   // such piece is fixed at 0. A piece is held if it meets 0 or itself with the other sign.
   void fix_what_is_free()
   {
-    if(m_orthogonality.is_positive() && has_aligned_face())
+    if(has_face([this](const int f) { return m_orthogonality.ties(f); })
+       && has_face([this](const int f) { return m_surface.is_aligned(f); }))
       return; // a difference is held, hence all are, and they hold the sums at an aligned face
 
     const int zero = 2 * m_size, number_of_nodes = zero + 2; // node 2 u is unknown u, node 2 u + 1 is its negative
@@ -232,8 +245,10 @@ private:
                                 boost::make_iterator_property_map(parent.begin(), number));
     const auto node = [&](const Variable& v) { return v.unknown < 0 ? zero : 2 * v.unknown + (v.sign < 0); };
     pieces.union_set(zero, zero + 1);
-    for_each_square([&](const Variable& a, const Variable& b, double)
+    for_each_square([&](const Variable& a, const Variable& b, const double weight)
     {
+      if(weight <= smallest_effective_weight)
+        return;
       pieces.union_set(node(a), node(b));
       pieces.union_set(node(-a), node(-b));
     });
@@ -261,10 +276,11 @@ private:
     m_size = new_size;
   }
 
-  bool has_aligned_face() const
+  template <typename Predicate>
+  bool has_face(const Predicate& predicate) const
   {
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
-      if(m_surface.is_aligned(f))
+      if(predicate(f))
         return true;
     return false;
   }

@@ -220,7 +220,7 @@ public:
   {
     if(m_strategy.kind() == Support_strategy::RINGS)
       return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bound, m_rings));
-    const double radius = m_strategy.support_radius();
+    const double radius = m_strategy.support_radius() / m_surface.length_unit;
     const std::vector<Sector_share> shares =
       radius > 0 ? m_ball.shares_within(corner, radius)
                  : m_ball.shares_in_wedge(corner, local_feature_length(m_surface, corner));

@@ -1,0 +1,235 @@
+// A target for libFuzzer: bytes become parameters, a mesh and its feature edges, on which all public functions are called.
+// What breaks the contract of one of them ends the program.
+
+#include "Fuzz_case.h"
+
+#include "../field_contract.h"
+#include "../sentinels.h"
+
+#include <CGAL/Frame_fields.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef Surface_mesh Mesh;
+typedef Mesh::Face_index Face;
+typedef Mesh::Halfedge_index Halfedge;
+
+void expect(const bool is_true, const std::string& fact)
+{
+  if(is_true)
+    return;
+  std::cerr << "broken: " << fact << std::endl;
+  std::abort();
+}
+
+// What else the bytes may give: directions and weights of faces, and targets of sectors.
+struct Guidance
+{
+  typename boost::property_map<Mesh, CGAL::dynamic_face_property_t<Vector> >::const_type direction;
+  Face_map<Mesh, double> weight;
+  Halfedge_map<Mesh, int> target;
+
+  Guidance(const Mesh& mesh, const Fuzz_parameters& parameters, Byte_reader& bytes)
+    : direction(get(CGAL::dynamic_face_property_t<Vector>(), mesh))
+    , weight(get(CGAL::dynamic_face_property_t<double>(), mesh))
+    , target(get(CGAL::dynamic_halfedge_property_t<int>(), mesh))
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double weights[] = { 0, 1, 1e-300, 1e300, 1e-3, infinity, -1, std::numeric_limits<double>::quiet_NaN() };
+    for(const Face f : faces(mesh))
+    {
+      const unsigned int byte = parameters.is_guided ? bytes.byte() : 0;
+      put(weight, f, weights[byte % 8]);
+      put(direction, f, Vector((byte >> 3) % 4 * 1., (byte >> 5) % 4 - 1., (byte >> 7) * 1e-9));
+    }
+    for(const Halfedge h : halfedges(mesh))
+      put(target, h, FF::NO_INDEX_TARGET);
+    if(!parameters.has_index_targets || num_faces(mesh) == 0)
+      return;
+    for(unsigned int n = bytes.below(9); n > 0; --n)
+    {
+      Halfedge h = halfedge(Face(bytes.byte() % num_faces(mesh)), mesh);
+      for(unsigned int k = bytes.below(3); k > 0; --k)
+        h = next(h, mesh);
+      const int values[] = { 0, 1, -1, 2, 4, -4, std::numeric_limits<int>::max(), std::numeric_limits<int>::min() + 1 };
+      put(target, h, values[bytes.below(8)]);
+    }
+  }
+};
+
+bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
+
+bool is_overconstrained(const Cad_mesh<Mesh>& cad_mesh, const Face f)
+{
+  int number = 0;
+  for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, cad_mesh.mesh), cad_mesh.mesh))
+    number += is_border(opposite(h, cad_mesh.mesh), cad_mesh.mesh) || get(cad_mesh.is_feature, edge(h, cad_mesh.mesh));
+  return number > 1;
+}
+
+// Whether the mesh and the parameters are such that an error code, or OK, may come out.
+class Expectation
+{
+public:
+  Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters) : m_parameters(parameters)
+  {
+    const Mesh& mesh = cad_mesh.mesh;
+    m_is_empty = num_faces(mesh) == 0;
+    for(const Face f : faces(mesh))
+    {
+      m_is_overconstrained |= is_overconstrained(cad_mesh, f);
+      for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+        m_is_finite &= is_finite(mesh.point(v));
+      for(const Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
+        m_has_edge_without_length |= mesh.point(source(h, mesh)) == mesh.point(target(h, mesh));
+    }
+  }
+
+  bool allows(const FF::Error_code code) const
+  {
+    switch(code)
+    {
+      case FF::OK:
+        return !m_is_empty && m_is_finite && !m_has_edge_without_length && !m_is_overconstrained && has_good_numbers();
+      case FF::ERROR_EMPTY_MESH: return m_is_empty;
+      case FF::ERROR_NON_FINITE_COORDINATE: return !m_is_finite;
+      case FF::ERROR_ZERO_LENGTH_EDGE: return m_has_edge_without_length;
+      case FF::ERROR_OVERCONSTRAINED_FACE: return m_is_overconstrained;
+      case FF::ERROR_WRONG_PARAMETER: return !has_good_numbers();
+      case FF::ERROR_WRONG_FIELD: return m_parameters.is_guided || m_parameters.has_index_targets;
+      case FF::ERROR_POINCARE_HOPF: return m_parameters.has_index_targets;
+      case FF::ERROR_NO_RECEIVING_SECTOR: return m_parameters.sharp_corner_bound >= CGAL_PI;
+      default: return false;
+    }
+  }
+
+private:
+  bool has_good_numbers() const
+  {
+    const double bound = m_parameters.sharp_corner_bound, skewness = m_parameters.maximum_skewness;
+    const double weight = m_parameters.orthogonality_weight;
+    return bound >= 0 && std::isfinite(bound) && skewness >= 0 && skewness < CGAL_PI / 2 && weight >= 0
+        && std::isfinite(weight) && std::isfinite(m_parameters.orthogonality_length);
+  }
+
+  const Fuzz_parameters& m_parameters;
+  bool m_is_empty = false, m_is_overconstrained = false, m_is_finite = true, m_has_edge_without_length = false;
+};
+
+bool meets_targets(const Mesh& mesh, const Maps<Mesh>& maps, const Guidance& guidance)
+{
+  for(const Halfedge h : halfedges(mesh))
+    if(!is_border(h, mesh) && get(guidance.target, h) != FF::NO_INDEX_TARGET
+       && get(guidance.target, h) != get(maps.index, h))
+      return false;
+  return true;
+}
+
+// Calls `cad_frame_field()` and its stages one by one.
+template <typename NamedParameters>
+void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance,
+                 const NamedParameters& np)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const Expectation expectation(cad_mesh, fuzz_parameters);
+  const Maps<Mesh> maps(mesh);
+  put_sentinels(mesh, maps);
+  FF::Statistics statistics;
+  std::vector<Halfedge> corners;
+  const FF::Result result = FF::cad_frame_field(
+    mesh, maps.alpha, maps.rho, maps.index,
+    parameters::join(np, parameters::matching_map(maps.matching).prescribed_rotation_map(maps.omega)
+      .statistics(std::ref(statistics)).sharp_corner_output_iterator(std::back_inserter(corners))));
+  expect(expectation.allows(result.error_code), "an unexpected answer: " + result.message);
+  if(!result)
+  {
+    expect(hold_sentinels(mesh, maps) && corners.empty(), "outputs stay untouched on failure");
+    return;
+  }
+  const Cut cut = cad_mesh.cut();
+  const Field field = to_field(cad_mesh, maps);
+  std::string broken = broken_facts_of_any_field(cut, field, fuzz_parameters.maximum_skewness);
+  if(fuzz_parameters.repairs && !fuzz_parameters.has_index_targets)
+    broken += unmeshable_sectors(cut, field.index);
+  expect(broken.empty(), broken);
+  expect(meets_targets(mesh, maps, guidance), "index targets are met");
+  expect(std::isfinite(statistics.energy_orthogonal), "the energy is finite");
+
+  const Maps<Mesh> staged(mesh);
+  const auto with_matching = parameters::join(np, parameters::matching_map(staged.matching));
+  expect(bool(FF::prescribe_rotation(mesh, staged.omega, np)), "the rotation is prescribed");
+  expect(bool(FF::orthogonal_frame_field(
+           mesh, staged.alpha, parameters::join(with_matching, parameters::prescribed_rotation_map(staged.omega)))),
+         "the orthogonal field is found");
+  for(const Halfedge h : halfedges(mesh))
+    expect(get(staged.omega, h) == get(maps.omega, h), "the stages give the same prescribed rotation");
+  for(const Halfedge h : halfedges(mesh))
+    expect(get(staged.matching, h) == get(maps.matching, h), "the stages give the same matching");
+  expect(bool(FF::singularity_indices(mesh, staged.alpha, staged.matching, staged.index, np)), "indices are found");
+  for(const Halfedge h : halfedges(mesh))
+    expect(get(staged.index, h) == get(maps.index, h), "the stages give the same indices");
+  if(fuzz_parameters.relaxes)
+  {
+    expect(bool(FF::relax_frame_field(mesh, staged.alpha, staged.rho, with_matching)), "the field is relaxed");
+    for(const Face f : faces(mesh))
+      expect(get(staged.alpha, f) == get(maps.alpha, f) && get(staged.rho, f) == get(maps.rho, f),
+             "the stages give the same field");
+  }
+
+  FF::Field_quality quality;
+  expect(bool(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, np)), "it is measured");
+  std::vector<FF::Singularity<Halfedge> > found;
+  expect(bool(FF::singularities(mesh, maps.index, std::back_inserter(found), np)), "singularities are listed");
+  for(const std::array<Vector, 4>& branches : field.branches)
+    for(const Vector& branch : branches)
+      expect(std::abs(branch.squared_length() - 1) < 1e-9, "branches are unit vectors");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std::size_t size)
+{
+  testing::GTEST_FLAG(throw_on_failure) = true;
+  Byte_reader bytes(data, size);
+  const Fuzz_parameters fuzz_parameters = read_parameters(bytes);
+  const std::vector<Point> points = read_points(bytes);
+  Cad_mesh<Mesh> cad_mesh(read_combinatorics(bytes, points.size()), false);
+  for(const auto v : vertices(cad_mesh.mesh))
+    cad_mesh.mesh.point(v) = points[static_cast<std::size_t>(cad_mesh.mesh.point(v).x())];
+
+  const auto features = cad_mesh.features();
+  if(fuzz_parameters.splits_chords)
+    FF::split_chords(cad_mesh.mesh, features);
+  if(fuzz_parameters.splits_overconstrained_faces)
+    FF::split_overconstrained_faces(cad_mesh.mesh, features);
+
+  const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
+  const auto np = features.support_strategy(fuzz_parameters.support_strategy)
+                          .edge_weighting(fuzz_parameters.edge_weighting)
+                          .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
+                          .maximum_skewness(fuzz_parameters.maximum_skewness)
+                          .orthogonality_weight(fuzz_parameters.orthogonality_weight)
+                          .orthogonality_length(fuzz_parameters.orthogonality_length)
+                          .relax_orthogonality(fuzz_parameters.relaxes)
+                          .repair_matching(fuzz_parameters.repairs)
+                          .index_target_map(guidance.target);
+  if(fuzz_parameters.is_guided)
+    check_field(cad_mesh, fuzz_parameters, guidance,
+                np.guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight));
+  else
+    check_field(cad_mesh, fuzz_parameters, guidance, np);
+  return 0;
+}
