@@ -78,7 +78,7 @@ public:
   }
 
   const Cut_surface& surface() const { return m_surface; }
-  double unit() const { return m_unit; }
+  double unit() const { return m_unit * m_surface.length_unit; }
   double length(const int halfedge) const { return m_surface.length[halfedge] / m_unit; }
   const Plane_vector& direction(const int halfedge) const { return m_direction[halfedge]; }
 
