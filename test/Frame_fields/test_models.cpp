@@ -226,6 +226,7 @@ Model torus()
 
 Model convex_hull(const std::vector<Point>& points)
 {
+  CGAL::get_default_random() = CGAL::Random(0); // the order of the hull's faces depends on it
   Mesh hull;
   CGAL::convex_hull_3(points.begin(), points.end(), hull);
   return to_model(hull);
