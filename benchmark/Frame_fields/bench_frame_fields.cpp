@@ -26,8 +26,8 @@ namespace {
 namespace Frame_fields = CGAL::Frame_fields;
 namespace params = CGAL::Frame_fields::parameters;
 
-// From this size on a single run is measured.
-const int large_refinement = 3;
+// From these sizes on one run is long enough, and one repetition all that there is time for.
+const int refinements_for_one_iteration = 2, refinements_for_one_repetition = 3;
 
 // A model with what the stages take from the ones before.
 struct Staged_model : Benchmark_model
@@ -205,8 +205,10 @@ void add_benchmark(const Shape& shape, const int number_of_refinements, const st
       run<SolverTraits>(state, shape, number_of_refinements, number_of_threads, compute);
     });
   result->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-  if(number_of_refinements >= large_refinement)
-    result->Iterations(1)->Repetitions(1);
+  if(number_of_refinements >= refinements_for_one_iteration)
+    result->Iterations(1);
+  if(number_of_refinements >= refinements_for_one_repetition)
+    result->Repetitions(1);
 }
 
 void add_benchmarks(const Shape& shape, const int number_of_refinements)

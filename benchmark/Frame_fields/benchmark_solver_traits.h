@@ -90,9 +90,9 @@ public:
   Complex_solver complex_solver_object() const { return { m_solver_traits.complex_solver_object(), *m_nanoseconds }; }
 
   // There for solver traits that have it only.
-  template <typename Pattern>
+  template <typename Pattern, typename Traits = SolverTraits>
   auto elimination_order(const Pattern& pattern) const
-    -> decltype(std::declval<const SolverTraits&>().elimination_order(pattern))
+    -> decltype(std::declval<const Traits&>().elimination_order(pattern))
   {
     const Thread_timer timer(*m_nanoseconds);
     return m_solver_traits.elimination_order(pattern);
