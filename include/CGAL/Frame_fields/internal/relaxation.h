@@ -200,16 +200,19 @@ private:
       pieces.union_set(node(-a), node(-b));
     });
 
-    std::vector<bool> is_piece_held(number_of_nodes, false);
+    std::vector<bool> is_piece_held(number_of_nodes, false), is_fixed(m_size, false);
+    for(const Variable& variable : m_variable) // by faces: what is fixed must not depend on how solvers number unknowns
+    {
+      const int u = variable.unknown;
+      const int piece = pieces.find_set(2 * u), negative_piece = pieces.find_set(2 * u + 1);
+      if(piece != negative_piece && !is_piece_held[piece])
+        is_fixed[u] = is_piece_held[piece] = is_piece_held[negative_piece] = true;
+    }
     std::vector<int> new_unknown(m_size, -1);
     int new_size = 0;
     for(int u = 0; u < m_size; ++u)
-    {
-      const int piece = pieces.find_set(2 * u), negative_piece = pieces.find_set(2 * u + 1);
-      if(piece == negative_piece || is_piece_held[piece])
+      if(!is_fixed[u])
         new_unknown[u] = new_size++;
-      is_piece_held[piece] = is_piece_held[negative_piece] = true;
-    }
     for(Variable& variable : m_variable)
       variable.unknown = new_unknown[variable.unknown];
     m_size = new_size;
