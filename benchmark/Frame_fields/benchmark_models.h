@@ -98,7 +98,8 @@ inline Featured_soup planar_soup(const Line_graph& segments, const double size)
     if(f->is_in_domain())
       soup.triangles.push_back({ number[f->vertex(0)], number[f->vertex(1)], number[f->vertex(2)] });
   for(const auto& [f, k] : triangulation.constrained_edges())
-    soup.features.insert(std::minmax(number[f->vertex(Triangulation::cw(k))], number[f->vertex(Triangulation::ccw(k))]));
+    soup.features.insert(std::minmax(number[f->vertex(Triangulation::cw(k))],
+                                     number[f->vertex(Triangulation::ccw(k))]));
   return soup;
 }
 

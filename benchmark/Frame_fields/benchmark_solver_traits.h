@@ -74,8 +74,8 @@ private:
   std::atomic<std::int64_t>& m_nanoseconds;
 };
 
-// The solvers of `SolverTraits`, which add the time of their work to a sum, in all threads. The elimination order is part
-// of their work.
+// The solvers of `SolverTraits`, which add the time of their work to a sum, in all threads. The elimination order is
+// part of their work.
 template <typename SolverTraits>
 class Timed_solver_traits
 {
