@@ -88,7 +88,7 @@ private:
     m_z.resize(m_surface.number_of_faces());
     for(const internal::Patch& patch : m_surface.patches)
     {
-      const internal::Orthogonal_field_system system(m_surface, patch, omega);
+      const internal::Orthogonal_field_system system(m_surface, patch, omega, solver_traits);
       auto solver = solver_traits.complex_solver_object();
       std::vector<std::complex<double> > unknowns;
       if(!internal::factor_and_solve(solver, system.matrix(), system.right_hand_side(), unknowns))

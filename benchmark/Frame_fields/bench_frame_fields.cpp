@@ -1,200 +1,252 @@
+// The time of the whole method, of the plain orthogonal field and of each stage, on shapes of 8 thousand to 2 million
+// faces, for each solver traits and number of threads.
+
+#include "benchmark_models.h"
+#include "benchmark_solver_traits.h"
+
 #include <CGAL/Frame_fields.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
-#include <array>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <oneapi/tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <set>
-#include <sstream>
-#include <stdexcept>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
+
+namespace {
 
 namespace Frame_fields = CGAL::Frame_fields;
 namespace params = CGAL::Frame_fields::parameters;
-namespace PMP = CGAL::Polygon_mesh_processing;
 
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef std::pair<std::size_t, std::size_t> Point_pair;
+// From these sizes on one run is long enough, and one repetition all that there is time for.
+const int refinements_for_one_iteration = 2, refinements_for_one_repetition = 3;
 
-// A triangle soup with feature edges; the smaller index of each pair comes first.
-struct Featured_soup
+// A model with what the stages take from the ones before.
+struct Staged_model : Benchmark_model
 {
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::array<std::size_t, 3> > triangles;
-  std::set<Point_pair> features;
-};
-
-Featured_soup read_soup(const std::string& name)
-{
-  Featured_soup soup;
-  if(!CGAL::IO::read_polygon_soup(name + ".off", soup.points, soup.triangles))
-    throw std::runtime_error("cannot read " + name + ".off");
-  std::ifstream features(name + ".feat");
-  for(std::string line; std::getline(features, line);)
-  {
-    std::istringstream words(line);
-    std::size_t first, second;
-    if(words >> first >> second)
-      soup.features.insert(std::minmax(first, second));
-  }
-  return soup;
-}
-
-// Splits each triangle into four at the midpoints of its edges.
-Featured_soup refined(const Featured_soup& soup)
-{
-  Featured_soup result;
-  result.points = soup.points;
-  std::map<Point_pair, std::size_t> midpoints;
-  const auto midpoint = [&](const std::size_t first, const std::size_t second)
-  {
-    const auto [place, is_new] = midpoints.insert({ std::minmax(first, second), result.points.size() });
-    if(is_new)
-      result.points.push_back(CGAL::midpoint(soup.points[first], soup.points[second]));
-    return place->second;
-  };
-  for(const auto& [a, b, c] : soup.triangles)
-  {
-    const std::size_t ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-    for(const std::array<std::size_t, 3>& triangle :
-        { std::array{ a, ab, ca }, std::array{ ab, b, bc }, std::array{ ca, bc, c }, std::array{ ab, bc, ca } })
-      result.triangles.push_back(triangle);
-  }
-  for(const auto& [first, second] : soup.features)
-    for(const std::size_t end : { first, second })
-      result.features.insert({ end, midpoint(first, second) });
-  return result;
-}
-
-// The flange that ships with the examples, refined, and the maps of its field.
-struct Model
-{
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
-  Mesh::Property_map<Mesh::Face_index, double> alpha, rho;
-  Mesh::Property_map<Mesh::Halfedge_index, int> matching, index;
+  Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha;
+  Mesh::Property_map<Mesh::Halfedge_index, int> matching;
   Mesh::Property_map<Mesh::Halfedge_index, double> omega;
+  bool has_orthogonal_field = false;
 
-  explicit Model(const int number_of_refinements)
+  explicit Staged_model(const Featured_soup& soup) : Benchmark_model(soup)
   {
-    Featured_soup soup = read_soup(FRAME_FIELDS_FLANGE);
-    for(int k = 0; k < number_of_refinements; ++k)
-      soup = refined(soup);
-    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
-    is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-    for(const auto& [first, second] : soup.features)
-      is_feature[mesh.edge(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(first)),
-                                         Mesh::Vertex_index(Mesh::size_type(second))))] = true;
-    Frame_fields::split_overconstrained_faces(mesh, params::edge_is_constrained_map(is_feature));
-    alpha = mesh.add_property_map<Mesh::Face_index, double>("f:alpha").first;
-    rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
+    orthogonal_alpha = mesh.add_property_map<Mesh::Face_index, double>("f:orthogonal_alpha").first;
     matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
-    index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
     omega = mesh.add_property_map<Mesh::Halfedge_index, double>("h:omega").first;
   }
+
+  void provide_orthogonal_field()
+  {
+    if(!has_orthogonal_field)
+      Frame_fields::cad_frame_field(mesh, orthogonal_alpha, rho, index,
+                                    params::edge_is_constrained_map(is_feature).relax_orthogonality(false)
+                                      .matching_map(matching).prescribed_rotation_map(omega));
+    has_orthogonal_field = true;
+  }
 };
 
-Model& model(const int number_of_refinements)
+// Large models do not fit beside each other, so only the last one is kept.
+Staged_model& model(const Shape& shape, const int number_of_refinements)
 {
-  static std::map<int, Model> models;
-  return models.try_emplace(number_of_refinements, number_of_refinements).first->second;
-}
-
-// Runs `compute(model)` and reports the faces a second.
-template <typename Compute>
-void measure(benchmark::State& state, const Compute& compute)
-{
-  Model& m = model(static_cast<int>(state.range(0)));
-  for(auto _ : state)
+  static std::unique_ptr<Staged_model> last;
+  static std::string name_of_last;
+  const std::string name = shape.name + shape.sizes[number_of_refinements];
+  if(name != name_of_last)
   {
-    const Frame_fields::Result result = compute(m);
-    if(!result)
-      state.SkipWithError(result.message.c_str());
+    last.reset();
+    last = std::make_unique<Staged_model>(refined_shape(shape, number_of_refinements));
+    name_of_last = name;
   }
-  state.counters["faces"] = static_cast<double>(num_faces(m.mesh));
-  state.counters["faces_per_second"] =
-    benchmark::Counter(static_cast<double>(num_faces(m.mesh)), benchmark::Counter::kIsIterationInvariantRate);
+  return *last;
 }
 
-void whole_pipeline(benchmark::State& state)
+struct Whole_pipeline
 {
-  measure(state, [](Model& m)
+  static constexpr const char* name = "whole_pipeline";
+  static constexpr bool is_stage = false;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
   {
-    return Frame_fields::cad_frame_field(m.mesh, m.alpha, m.rho, m.index, params::edge_is_constrained_map(m.is_feature));
-  });
-}
+    return Frame_fields::cad_frame_field(m.mesh, m.alpha, m.rho, m.index, np);
+  }
+};
 
 // What every method pays: no prescribed rotation, no relaxation.
-void plain_orthogonal_field(benchmark::State& state)
+struct Plain_orthogonal_field
 {
-  measure(state, [](Model& m)
-  {
-    return Frame_fields::cad_frame_field(m.mesh, m.alpha, m.rho, m.index,
-                                         params::edge_is_constrained_map(m.is_feature).relax_orthogonality(false)
-                                           .support_strategy(Frame_fields::Support_strategy::none()));
-  });
-}
+  static constexpr const char* name = "plain_orthogonal_field";
+  static constexpr bool is_stage = false;
 
-void prescribe_rotation(benchmark::State& state)
-{
-  measure(state, [](Model& m)
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
   {
-    return Frame_fields::prescribe_rotation(m.mesh, m.omega, params::edge_is_constrained_map(m.is_feature));
-  });
-}
+    return Frame_fields::cad_frame_field(
+      m.mesh, m.alpha, m.rho, m.index,
+      np.relax_orthogonality(false).support_strategy(Frame_fields::Support_strategy::none()));
+  }
+};
 
-void orthogonal_frame_field(benchmark::State& state)
+struct Prescribe_rotation
 {
-  measure(state, [](Model& m)
+  static constexpr const char* name = "prescribe_rotation";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
   {
-    return Frame_fields::orthogonal_frame_field(m.mesh, m.alpha, params::edge_is_constrained_map(m.is_feature)
-                                                                   .prescribed_rotation_map(m.omega)
-                                                                   .matching_map(m.matching));
-  });
-}
+    return Frame_fields::prescribe_rotation(m.mesh, m.omega, np);
+  }
+};
 
-void singularity_indices(benchmark::State& state)
+struct Orthogonal_frame_field
 {
-  measure(state, [](Model& m)
+  static constexpr const char* name = "orthogonal_frame_field";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
   {
-    return Frame_fields::singularity_indices(m.mesh, m.alpha, m.matching, m.index,
-                                             params::edge_is_constrained_map(m.is_feature));
-  });
-}
+    return Frame_fields::orthogonal_frame_field(m.mesh, m.alpha,
+                                                np.prescribed_rotation_map(m.omega).matching_map(m.matching));
+  }
+};
 
-// `alpha` changes, so each run starts from the orthogonal field again, outside the measured time.
-void relax_frame_field(benchmark::State& state)
+struct Singularity_indices
 {
-  Model& m = model(static_cast<int>(state.range(0)));
-  const auto np = params::edge_is_constrained_map(m.is_feature).matching_map(m.matching);
+  static constexpr const char* name = "singularity_indices";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
+  {
+    return Frame_fields::singularity_indices(m.mesh, m.orthogonal_alpha, m.matching, m.index, np);
+  }
+};
+
+struct Relax_frame_field
+{
+  static constexpr const char* name = "relax_frame_field";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
+  {
+    for(const Mesh::Face_index f : m.mesh.faces()) // it overwrites what it is given
+      m.alpha[f] = m.orthogonal_alpha[f];
+    return Frame_fields::relax_frame_field(m.mesh, m.alpha, m.rho, np.matching_map(m.matching));
+  }
+};
+
+// Reports the faces a second, and the part of the processor time that is not the solvers'.
+template <typename ConcurrencyTag, typename SolverTraits, typename Compute>
+void measure(benchmark::State& state, Staged_model& m, const Compute& compute)
+{
+  std::atomic<std::int64_t> in_solvers(0);
+  const auto np = params::edge_is_constrained_map(m.is_feature)
+                    .sparse_linear_solver(Timed_solver_traits<SolverTraits>(in_solvers))
+                    .concurrency_tag(ConcurrencyTag());
+  const std::int64_t start = nanoseconds_of(CLOCK_PROCESS_CPUTIME_ID);
   for(auto _ : state)
   {
-    state.PauseTiming();
-    Frame_fields::orthogonal_frame_field(m.mesh, m.alpha, np.prescribed_rotation_map(m.omega));
-    state.ResumeTiming();
-    const Frame_fields::Result result = Frame_fields::relax_frame_field(m.mesh, m.alpha, m.rho, np);
+    const Frame_fields::Result result = compute(m, np);
     if(!result)
+    {
       state.SkipWithError(result.message.c_str());
+      break;
+    }
   }
+  const std::int64_t total = nanoseconds_of(CLOCK_PROCESS_CPUTIME_ID) - start;
+  const double faces = static_cast<double>(num_faces(m.mesh));
+  state.counters["faces"] = faces;
+  state.counters["faces_per_second"] = benchmark::Counter(faces, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["share_outside_solvers"] = 1 - static_cast<double>(in_solvers) / static_cast<double>(total);
 }
 
-// Refinements: 16 K, 66 K and 260 K faces. The order matters: the stages take their input from the ones before.
-#define FRAME_FIELDS_BENCHMARK(function) BENCHMARK(function)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)
-FRAME_FIELDS_BENCHMARK(whole_pipeline);
-FRAME_FIELDS_BENCHMARK(plain_orthogonal_field);
-FRAME_FIELDS_BENCHMARK(prescribe_rotation);
-FRAME_FIELDS_BENCHMARK(orthogonal_frame_field);
-FRAME_FIELDS_BENCHMARK(singularity_indices);
-FRAME_FIELDS_BENCHMARK(relax_frame_field);
+template <typename SolverTraits, typename Compute>
+void run(benchmark::State& state, const Shape& shape, const int number_of_refinements, const int number_of_threads,
+         const Compute& compute)
+{
+  Staged_model& m = model(shape, number_of_refinements);
+  if(Compute::is_stage)
+    m.provide_orthogonal_field();
+#ifdef CGAL_LINKED_WITH_TBB
+  if(number_of_threads > 1)
+  {
+    namespace tbb = oneapi::tbb;
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(number_of_threads));
+    return measure<CGAL::Parallel_tag, SolverTraits>(state, m, compute);
+  }
+#endif
+  (void)number_of_threads;
+  measure<CGAL::Sequential_tag, SolverTraits>(state, m, compute);
+}
 
-BENCHMARK_MAIN();
+// A name is function/shape/faces/solver/threads.
+template <typename SolverTraits, typename Compute>
+void add_benchmark(const Shape& shape, const int number_of_refinements, const std::string& solver,
+                   const int number_of_threads, const Compute& compute)
+{
+  const std::string name = std::string(Compute::name) + "/" + shape.name + "/" + shape.sizes[number_of_refinements]
+                         + "/" + solver + "/threads:" + std::to_string(number_of_threads);
+  benchmark::internal::Benchmark* const result =
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state)
+    {
+      run<SolverTraits>(state, shape, number_of_refinements, number_of_threads, compute);
+    });
+  result->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+  if(number_of_refinements >= refinements_for_one_iteration)
+    result->Iterations(1);
+  if(number_of_refinements >= refinements_for_one_repetition)
+    result->Repetitions(1);
+}
+
+void add_benchmarks(const Shape& shape, const int number_of_refinements)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const int maximum_number_of_threads = 2;
+#else
+  const int maximum_number_of_threads = 1;
+#endif
+  for_each_solver_traits([&](const std::string& solver, const auto& solver_traits)
+  {
+    typedef typename std::decay<decltype(solver_traits)>::type Solver_traits;
+    for(int threads = 1; threads <= maximum_number_of_threads; ++threads)
+    {
+      const auto add = [&](const auto& compute)
+      {
+        add_benchmark<Solver_traits>(shape, number_of_refinements, solver, threads, compute);
+      };
+      add(Whole_pipeline());
+      add(Plain_orthogonal_field());
+      add(Prescribe_rotation());
+      add(Orthogonal_frame_field());
+      add(Singularity_indices());
+      add(Relax_frame_field());
+    }
+  });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  for(const Shape& shape : benchmark_shapes())
+    for(std::size_t k = 0; k < shape.sizes.size(); ++k)
+      add_benchmarks(shape, static_cast<int>(k));
+  benchmark::Initialize(&argc, argv);
+  if(benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

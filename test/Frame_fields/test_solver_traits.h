@@ -1,6 +1,7 @@
 #ifndef TEST_FRAME_FIELDS_TEST_SOLVER_TRAITS_H
 #define TEST_FRAME_FIELDS_TEST_SOLVER_TRAITS_H
 
+#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
 
 #include <CGAL/tags.h>
@@ -12,7 +13,7 @@
 #include <new>
 #include <vector>
 
-// Models of `FrameFieldSolverTraits` with nothing beyond what the concept asks for.
+// Models of `FrameFieldSolverTraits`, most with nothing beyond what the concept asks for.
 namespace test {
 
 template <typename Scalar_>
@@ -88,6 +89,36 @@ struct Failing_solver_traits
 
   Real_solver real_solver_object() const { return { behavior }; }
   Complex_solver complex_solver_object() const { return { behavior }; }
+};
+
+// A solver by Eigen that appends the size of each matrix that it factors to a list.
+template <typename Scalar_>
+struct Recording_solver : CGAL::Frame_fields::Eigen_positive_definite_solver<Scalar_>
+{
+  typedef CGAL::Frame_fields::Eigen_positive_definite_solver<Scalar_> Base;
+
+  explicit Recording_solver(std::vector<int>& sizes) : sizes(&sizes) {}
+
+  bool factor(const CGAL::Frame_fields::Hermitian_matrix<Scalar_>& matrix)
+  {
+    sizes->push_back(matrix.size());
+    return Base::factor(matrix);
+  }
+
+  std::vector<int>* sizes;
+};
+
+struct Recording_solver_traits : CGAL::Frame_fields::Eigen_frame_field_solver_traits
+{
+  typedef Recording_solver<double> Real_solver;
+  typedef Recording_solver<std::complex<double> > Complex_solver;
+
+  explicit Recording_solver_traits(std::vector<int>& sizes) : sizes(&sizes) {}
+
+  Real_solver real_solver_object() const { return Real_solver(*sizes); }
+  Complex_solver complex_solver_object() const { return Complex_solver(*sizes); }
+
+  std::vector<int>* sizes;
 };
 
 } // namespace test

@@ -1,7 +1,14 @@
 #include "test_cad_mesh.h"
 #include "test_solver_traits.h"
 
+#include <CGAL/Frame_fields/Automatic_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
+#ifdef CGAL_AMGCL_ENABLED
+#include <CGAL/Frame_fields/Amgcl_frame_field_solver_traits.h>
+#endif
+#ifdef CGAL_CHOLMOD_ENABLED
+#include <CGAL/Frame_fields/Cholmod_frame_field_solver_traits.h>
+#endif
 
 #include <CGAL/Eigen_solver_traits.h>
 
@@ -12,6 +19,20 @@ using namespace test;
 constexpr double tolerance = 1e-8;
 
 typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType> > Cgal_traits;
+
+// A traits class that splits the patches of small models between two solvers.
+struct Automatic_traits : FF::Automatic_frame_field_solver_traits<Dense_solver_traits>
+{
+  Automatic_traits() : FF::Automatic_frame_field_solver_traits<Dense_solver_traits>(100) {}
+};
+
+#ifdef CGAL_AMGCL_ENABLED
+// The iterative solver as accurate as a direct one.
+struct Accurate_amgcl_traits : FF::Amgcl_frame_field_solver_traits
+{
+  Accurate_amgcl_traits() : FF::Amgcl_frame_field_solver_traits(1e-13) {}
+};
+#endif
 
 template <typename SolverTraits>
 class Solver : public testing::Test
@@ -31,9 +52,26 @@ protected:
   }
 };
 
+template <typename SolverTraits>
+class Direct_solver : public Solver<SolverTraits> {};
+
 typedef testing::Types<Dense_solver_traits, Cgal_traits,
-                       CGAL::Frame_fields::Linear_algebra_frame_field_solver_traits<Cgal_traits> > Solver_traits;
+                       CGAL::Frame_fields::Linear_algebra_frame_field_solver_traits<Cgal_traits>
+#ifdef CGAL_CHOLMOD_ENABLED
+                       , FF::Cholmod_frame_field_solver_traits
+#endif
+                       , Automatic_traits> Direct_solver_traits;
+typedef testing::Types<Dense_solver_traits, Cgal_traits,
+                       CGAL::Frame_fields::Linear_algebra_frame_field_solver_traits<Cgal_traits>
+#ifdef CGAL_CHOLMOD_ENABLED
+                       , FF::Cholmod_frame_field_solver_traits
+#endif
+#ifdef CGAL_AMGCL_ENABLED
+                       , Accurate_amgcl_traits
+#endif
+                       , Automatic_traits> Solver_traits;
 TYPED_TEST_SUITE(Solver, Solver_traits);
+TYPED_TEST_SUITE(Direct_solver, Direct_solver_traits);
 
 TYPED_TEST(Solver, gives_the_field_of_the_default_one)
 {
@@ -42,7 +80,7 @@ TYPED_TEST(Solver, gives_the_field_of_the_default_one)
 }
 
 // The smallest eigenvector is unique up to a factor, which the same start vector settles.
-TYPED_TEST(Solver, gives_the_field_of_the_default_one_without_constraints)
+TYPED_TEST(Direct_solver, gives_the_field_of_the_default_one_without_constraints)
 {
   this->expect_default_field(sphere(), tolerance);
 }
@@ -54,5 +92,88 @@ TYPED_TEST(Solver, may_be_asked_for_parallel_solution)
   EXPECT_EQ(frame_field(cad_mesh, np).alpha,
             frame_field(cad_mesh, np.concurrency_tag(CGAL::Parallel_if_available_tag())).alpha);
 }
+
+std::vector<int> sorted(std::vector<int> values)
+{
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+TEST(Automatic_solver, gives_systems_from_the_threshold_on_to_the_large_solver)
+{
+  typedef FF::Automatic_frame_field_solver_traits<Recording_solver_traits, Recording_solver_traits> Traits;
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt());
+  std::vector<int> sizes;
+  frame_field(cad_mesh, parameters::sparse_linear_solver(Recording_solver_traits(sizes)));
+  sizes = sorted(sizes);
+
+  for(const std::size_t k : { std::size_t(0), sizes.size() / 2, sizes.size() - 1 })
+  {
+    const auto first_large = std::lower_bound(sizes.begin(), sizes.end(), sizes[k]);
+    std::vector<int> small_sizes, large_sizes;
+    frame_field(cad_mesh, parameters::sparse_linear_solver(Traits(
+      sizes[k], Recording_solver_traits(large_sizes), Recording_solver_traits(small_sizes))));
+    EXPECT_EQ(std::vector<int>(sizes.begin(), first_large), sorted(small_sizes));
+    EXPECT_EQ(std::vector<int>(first_large, sizes.end()), sorted(large_sizes));
+  }
+}
+
+#ifdef CGAL_CHOLMOD_ENABLED
+TEST(Cholmod_solver, refuses_a_matrix_that_is_not_positive_definite)
+{
+  FF::Cholmod_positive_definite_solver<double> solver;
+  EXPECT_FALSE(solver.factor({ { 0, 2, 3 }, { 0, 1, 1 }, { 1, 2, 1 } }));
+}
+#endif
+
+#ifdef CGAL_AMGCL_ENABLED
+// Rounding errors keep the residual from being 0.
+TEST(Amgcl_solver, refuses_when_the_tolerance_is_not_reached)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(wedge(33));
+  const Maps<Surface_mesh> maps(cad_mesh.mesh);
+  const auto np = cad_mesh.features().sparse_linear_solver(FF::Amgcl_frame_field_solver_traits(0, 1));
+  EXPECT_EQ(FF::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,
+            FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index, np).error_code);
+}
+#endif
+
+// The topology of a field is its singularity indices; the matching may differ by the choice of branch 0 in each face.
+class Topology : public On_models {};
+
+TEST_P(Topology, is_the_same_for_all_solvers)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(GetParam().make());
+  const std::vector<int> expected = frame_field(cad_mesh).index;
+  const auto expect_same = [&](const auto& solver_traits)
+  {
+    const Maps<Surface_mesh> maps(cad_mesh.mesh);
+    const FF::Result result = FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
+                                                  cad_mesh.features().sparse_linear_solver(solver_traits));
+    ASSERT_EQ(FF::OK, result.error_code) << result.message;
+    EXPECT_EQ(expected, to_field(cad_mesh, maps).index);
+  };
+#ifdef CGAL_CHOLMOD_ENABLED
+  {
+    SCOPED_TRACE("CHOLMOD");
+    expect_same(FF::Cholmod_frame_field_solver_traits());
+  }
+  {
+    SCOPED_TRACE("automatic");
+    expect_same(FF::Automatic_frame_field_solver_traits<FF::Cholmod_frame_field_solver_traits>(1000));
+  }
+#endif
+#ifdef CGAL_AMGCL_ENABLED
+  {
+    SCOPED_TRACE("AMGCL");
+    expect_same(FF::Amgcl_frame_field_solver_traits());
+  }
+#endif
+  static_cast<void>(expect_same);
+}
+
+INSTANTIATE_TEST_SUITE_P(Generated, Topology, testing::ValuesIn(generated_models()), Model_name());
+INSTANTIATE_TEST_SUITE_P(CGAL, Topology, testing::ValuesIn(cgal_models()), Model_name());
+INSTANTIATE_TEST_SUITE_P(CAD, Topology, testing::ValuesIn(cad_models()), Model_name());
 
 } // namespace

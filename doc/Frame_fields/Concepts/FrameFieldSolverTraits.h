@@ -12,9 +12,13 @@ Every patch of the surface is solved by solver objects of its own, which are ask
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Frame_fields::Eigen_frame_field_solver_traits}
+\cgalHasModels{CGAL::Frame_fields::Cholmod_frame_field_solver_traits}
+\cgalHasModels{CGAL::Frame_fields::Amgcl_frame_field_solver_traits}
+\cgalHasModels{CGAL::Frame_fields::Automatic_frame_field_solver_traits}
 \cgalHasModels{CGAL::Frame_fields::Linear_algebra_frame_field_solver_traits}
 \cgalHasModelsEnd
 
+\sa `FrameFieldOrderingSolverTraits`
 \sa `PositiveDefiniteSolver`
 */
 class FrameFieldSolverTraits

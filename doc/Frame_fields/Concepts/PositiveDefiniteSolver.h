@@ -12,6 +12,9 @@ semi-definite one.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Frame_fields::Eigen_positive_definite_solver}
+\cgalHasModels{CGAL::Frame_fields::Cholmod_positive_definite_solver}
+\cgalHasModels{CGAL::Frame_fields::Amgcl_positive_definite_solver}
+\cgalHasModels{CGAL::Frame_fields::Automatic_positive_definite_solver}
 \cgalHasModels{CGAL::Frame_fields::Linear_algebra_real_solver}
 \cgalHasModels{CGAL::Frame_fields::Doubled_real_solver}
 \cgalHasModelsEnd

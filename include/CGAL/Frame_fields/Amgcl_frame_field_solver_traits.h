@@ -26,7 +26,7 @@
 #include <amgcl/relaxation/ilu0.hpp>
 #include <amgcl/solver/cg.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <exception>
@@ -43,8 +43,8 @@ namespace Frame_fields {
 /// \ingroup PkgFrame_fieldsSolver
 ///
 /// solves hermitian positive definite systems by conjugate gradients, preconditioned with an algebraic multigrid of
-/// AMGCL (smoothed aggregation, incomplete factorization without fill as smoother), until the residual is `tolerance` times
-/// the right-hand side.
+/// AMGCL (smoothed aggregation, incomplete factorization without fill as smoother), until the residual is `tolerance`
+/// times the right-hand side.
 ///
 /// \cgalModels{PositiveDefiniteSolver}
 ///
@@ -67,7 +67,9 @@ public:
     typename Solver::params parameters;
     parameters.solver.tol = m_tolerance;
     parameters.solver.maxiter = m_maximum_number_of_iterations;
-    const Rows rows = full_rows(matrix);
+    Rows rows = full_rows(matrix);
+    m_turn = turns_along_spanning_trees(rows);
+    turn(rows);
     try
     {
       m_solver = std::make_unique<Solver>(
@@ -88,8 +90,13 @@ public:
   /// large after the maximum number of iterations.
   bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution) const
   {
+    std::vector<Scalar> turned(right_hand_side);
+    for(std::size_t i = 0; i < turned.size(); ++i)
+      turned[i] *= conjugate(m_turn[i]);
     solution.assign(right_hand_side.size(), Scalar(0));
-    const auto [number_of_iterations, residual] = (*m_solver)(right_hand_side, solution);
+    const auto [number_of_iterations, residual] = (*m_solver)(turned, solution);
+    for(std::size_t i = 0; i < solution.size(); ++i)
+      solution[i] *= m_turn[i];
     return residual <= m_tolerance;
   }
 
@@ -140,8 +147,46 @@ private:
     return rows;
   }
 
+  // Aggregation takes neighbors to be alike, but each face has a basis of its own. The unknowns are factors (signs or
+  // unit complex numbers) times new ones such that entries along spanning trees of the matrix become negative.
+  static std::vector<Scalar> turns_along_spanning_trees(const Rows& rows)
+  {
+    const std::size_t size = rows.begin.size() - 1;
+    std::vector<Scalar> turn(size, Scalar(0));
+    std::vector<std::size_t> visited; // in breadth-first order
+    visited.reserve(size);
+    for(std::size_t root = 0; root < size; ++root)
+    {
+      if(turn[root] != Scalar(0))
+        continue;
+      turn[root] = 1;
+      visited.push_back(root);
+      for(std::size_t next = visited.size() - 1; next < visited.size(); ++next)
+      {
+        const std::size_t i = visited[next];
+        for(std::ptrdiff_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k)
+        {
+          const std::ptrdiff_t j = rows.column[k];
+          if(turn[j] != Scalar(0) || rows.value[k] == Scalar(0))
+            continue;
+          turn[j] = -turn[i] * conjugate(rows.value[k]) / std::abs(rows.value[k]);
+          visited.push_back(j);
+        }
+      }
+    }
+    return turn;
+  }
+
+  void turn(Rows& rows) const
+  {
+    for(std::size_t i = 0; i < m_turn.size(); ++i)
+      for(std::ptrdiff_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k)
+        rows.value[k] *= conjugate(m_turn[i]) * m_turn[rows.column[k]];
+  }
+
   double m_tolerance;
   int m_maximum_number_of_iterations;
+  std::vector<Scalar> m_turn;       // the factor of each unknown
   std::unique_ptr<Solver> m_solver; // made by factor()
 };
 
@@ -150,8 +195,8 @@ private:
 /// is a solver traits for very large patches: conjugate gradients with an algebraic multigrid by AMGCL, whose time and
 /// memory grow in proportion to the size of a patch. The header needs AMGCL's, and nothing to link with.
 ///
-/// Solutions are accurate to a residual of `tolerance` times the right-hand side. A patch without constrained edges, whose
-/// matrix is nearly singular, may take more than the maximum number of iterations; then the result is
+/// Solutions are accurate to a residual of `tolerance` times the right-hand side. A patch without constrained edges,
+/// whose matrix is nearly singular, may take more than the maximum number of iterations; then the result is
 /// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
 ///
 /// \cgalModels{FrameFieldSolverTraits}

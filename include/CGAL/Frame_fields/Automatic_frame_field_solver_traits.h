@@ -92,8 +92,9 @@ public:
                             && LargeSolverTraits::Has_independent_solvers::value> Has_independent_solvers;
 
   /// keeps copies of both solver traits. Systems with `threshold` rows or more are large. The default is where
-  /// `Cholmod_frame_field_solver_traits` overtakes `Eigen_frame_field_solver_traits` in the benchmarks of this package.
-  explicit Automatic_frame_field_solver_traits(const int threshold = 100000,
+  /// `Cholmod_frame_field_solver_traits` overtakes `Eigen_frame_field_solver_traits` in the benchmarks of this package:
+  /// at about 200,000 rows with OpenBLAS, and at about 400,000 with the reference implementation of BLAS.
+  explicit Automatic_frame_field_solver_traits(const int threshold = 300000,
                                                const LargeSolverTraits& large_solver_traits = LargeSolverTraits(),
                                                const SmallSolverTraits& small_solver_traits = SmallSolverTraits())
     : m_threshold(threshold), m_large_solver_traits(large_solver_traits), m_small_solver_traits(small_solver_traits)

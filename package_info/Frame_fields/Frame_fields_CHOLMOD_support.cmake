@@ -1,0 +1,15 @@
+# Makes the target CGAL::CHOLMOD_support if CHOLMOD of SuiteSparse is found.
+if(TARGET CGAL::CHOLMOD_support)
+  return()
+endif()
+
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse DOC "Folder of CHOLMOD's headers")
+find_library(CHOLMOD_LIBRARY cholmod DOC "The library CHOLMOD")
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)
+if(CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY)
+  add_library(CGAL::CHOLMOD_support INTERFACE IMPORTED)
+  set_target_properties(CGAL::CHOLMOD_support PROPERTIES
+    INTERFACE_COMPILE_DEFINITIONS CGAL_CHOLMOD_ENABLED
+    INTERFACE_INCLUDE_DIRECTORIES ${CHOLMOD_INCLUDE_DIR}
+    INTERFACE_LINK_LIBRARIES ${CHOLMOD_LIBRARY})
+endif()
