@@ -1,6 +1,6 @@
 #!/bin/sh
-# fetch_packages.sh FOLDER: unpacks CGAL and Eigen of later Debian suites, which are header-only, into FOLDER. They come from
-# the mirror that this machine is configured for, past its own package lists. What is there is kept.
+# fetch_packages.sh FOLDER: unpacks CGAL, Eigen and AMGCL of later Debian suites, which are header-only, into FOLDER. They
+# come from the mirror that this machine is configured for, past its own package lists. What is there is kept.
 set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
@@ -32,3 +32,4 @@ fetch() {
 fetch cgal-trixie trixie libcgal-dev
 fetch cgal-sid sid libcgal-dev
 fetch eigen-sid sid libeigen3-dev
+fetch amgcl-sid sid libamgcl-dev
