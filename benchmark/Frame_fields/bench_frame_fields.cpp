@@ -130,7 +130,8 @@ void whole_pipeline(benchmark::State& state)
 {
   measure(state, [](Model& m)
   {
-    return Frame_fields::cad_frame_field(m.mesh, m.alpha, m.rho, m.index, params::edge_is_constrained_map(m.is_feature));
+    return Frame_fields::cad_frame_field(m.mesh, m.alpha, m.rho, m.index,
+                                         params::edge_is_constrained_map(m.is_feature));
   });
 }
 

@@ -3,8 +3,8 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-sh package_info/Frame_fields/install_debian_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libtbb-dev \
-  libboost-program-options-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev doxygen python3
+sh package_info/Frame_fields/install_debian_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev \
+  libtbb-dev libboost-program-options-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev doxygen python3
 
 cmake --preset release "$@"
 cmake --build --preset release --parallel "$(nproc)"

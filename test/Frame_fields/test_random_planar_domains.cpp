@@ -1,5 +1,5 @@
-// Random planar domains with many very sharp corners a few edges apart: whatever the mesh, no corner may be left unmeshable.
-// The environment variable FRAME_FIELDS_RANDOM_DOMAINS sets their number, FRAME_FIELDS_SEED the first seed.
+// Random planar domains with many very sharp corners a few edges apart: whatever the mesh, no corner may be left
+// unmeshable. The environment variable FRAME_FIELDS_RANDOM_DOMAINS sets their number, FRAME_FIELDS_SEED the first seed.
 
 #include <CGAL/Frame_fields.h>
 
@@ -147,7 +147,8 @@ private:
     {
       const double angle = apex_angle * ((k + number(-0.3, 0.3)) / (number_of_points + 1) - 0.5);
       const double c = distance * std::cos(angle), s = distance * std::sin(angle);
-      m_inner_points.emplace_back(apex.x() + c * inward.x() - s * inward.y(), apex.y() + s * inward.x() + c * inward.y());
+      m_inner_points.emplace_back(apex.x() + c * inward.x() - s * inward.y(),
+                                  apex.y() + s * inward.x() + c * inward.y());
     }
   }
 
@@ -177,7 +178,8 @@ Count count(const Mesh& mesh, const Frame_fields::Support_strategy& strategy, co
   const auto index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
   Frame_fields::Statistics statistics;
   const Frame_fields::Result result = Frame_fields::cad_frame_field(
-    mesh, alpha, rho, index, params::statistics(std::ref(statistics)).support_strategy(strategy).repair_matching(repairs));
+    mesh, alpha, rho, index,
+    params::statistics(std::ref(statistics)).support_strategy(strategy).repair_matching(repairs));
   EXPECT_TRUE(result) << result.message;
 
   Count total;

@@ -43,8 +43,8 @@ namespace Frame_fields {
 /// \ingroup PkgFrame_fieldsSolver
 ///
 /// solves hermitian positive definite systems by conjugate gradients, preconditioned with an algebraic multigrid of
-/// AMGCL (smoothed aggregation, incomplete factorization without fill as smoother), until the residual is `tolerance` times
-/// the right-hand side.
+/// AMGCL (smoothed aggregation, incomplete factorization without fill as smoother), until the residual is `tolerance`
+/// times the right-hand side.
 ///
 /// \cgalModels{PositiveDefiniteSolver}
 ///
@@ -150,8 +150,8 @@ private:
 /// is a solver traits for very large patches: conjugate gradients with an algebraic multigrid by AMGCL, whose time and
 /// memory grow in proportion to the size of a patch. The header needs AMGCL's, and nothing to link with.
 ///
-/// Solutions are accurate to a residual of `tolerance` times the right-hand side. A patch without constrained edges, whose
-/// matrix is nearly singular, may take more than the maximum number of iterations; then the result is
+/// Solutions are accurate to a residual of `tolerance` times the right-hand side. A patch without constrained edges,
+/// whose matrix is nearly singular, may take more than the maximum number of iterations; then the result is
 /// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
 ///
 /// \cgalModels{FrameFieldSolverTraits}

@@ -96,7 +96,8 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
 
   const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
   mesh.check_triangles("split_overconstrained_faces");
-  std::vector<halfedge_descriptor> overconstrained; // one halfedge of each face, kept apart from the changing face range
+  // One halfedge of each face, kept apart from the changing face range.
+  std::vector<halfedge_descriptor> overconstrained;
   for(const auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);

@@ -252,8 +252,8 @@ private:
     return {};
   }
 
-  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has no
-  // length or the vector is not finite.
+  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has
+  // no length or the vector is not finite.
   template <typename Vector_3>
   double angle_in_face(const face_descriptor f, const Vector_3& vector) const
   {

@@ -245,7 +245,8 @@ inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const 
     return 1;
   // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
   const double smallest = 1e-6, largest = 1e6;
-  const double dual_over_primal = 1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
+  const double dual_over_primal =
+    1 / length_over_height(surface, e.halfedge) + 1 / length_over_height(surface, e.opposite);
   return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
 }
 

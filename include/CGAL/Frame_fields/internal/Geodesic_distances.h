@@ -69,7 +69,8 @@ public:
         continue;
       if(!visit(sector, d))
         return;
-      for_each_corner(m_surface.opposite, m_surface.first_corner[sector], [this](const int corner) { advance(corner); });
+      for_each_corner(m_surface.opposite, m_surface.first_corner[sector],
+                      [this](const int corner) { advance(corner); });
     }
   }
 

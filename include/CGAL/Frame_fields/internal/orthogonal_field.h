@@ -37,8 +37,8 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
-// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the faces
-// is an integral, as it is for the relaxation.
+// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the
+// faces is an integral, as it is for the relaxation.
 inline double guide_weight(const Cut_surface& surface, const int face)
 {
   if(surface.guide_weight.empty())
@@ -122,8 +122,8 @@ public:
     return result;
   }
 
-  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern that a
-  // mesh could share, the same for a face whatever its unknown's number is.
+  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern
+  // that a mesh could share, the same for a face whatever its unknown's number is.
   std::vector<Complex> start_vector() const
   {
     std::mt19937 generator;
@@ -153,8 +153,8 @@ private:
   bool m_is_anchored = false;
 };
 
-// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of unit
-// norm.
+// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of
+// unit norm.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const std::vector<int>& face_order,

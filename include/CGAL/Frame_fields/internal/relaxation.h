@@ -46,9 +46,9 @@ inline int aligned_branch(const Cut_surface& surface, const int face, const doub
 // The branch of face j that branch `b` of face i goes to.
 inline int matched_branch(const int b, const int matching) { return b ^ (matching & 1); }
 
-// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it is
-// area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of the
-// squared gradients, since an edge between equilateral triangles has weight 1.
+// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it
+// is area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of
+// the squared gradients, since an edge between equilateral triangles has weight 1.
 class Orthogonality
 {
 public:
@@ -79,8 +79,8 @@ private:
 // The minimization of sum w (r0^2 + r1^2) + sum weight (gamma0 - gamma1)^2 over one patch, in the variables
 // s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
 //   2 (r0^2 + r1^2) = (2 r - s_i + s_j)^2 + (d_i - sigma d_j)^2,
-// so the sums and the differences do not meet but in aligned faces, where one of gamma0 and gamma1 is 0. That leaves the
-// factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
+// so the sums and the differences do not meet but in aligned faces, where one of gamma0 and gamma1 is 0. That leaves
+// the factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
 class Relaxation_system
 {
 public:

@@ -197,8 +197,8 @@ inline std::vector<Reached_sector> sectors_in_radius(const Cut_surface& surface,
   return result;
 }
 
-// Leaves the sectors up to the largest distance at which they fill most of the wedge that the corner's angle opens. Beyond
-// it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
+// Leaves the sectors up to the largest distance at which they fill most of the wedge that the corner's angle opens.
+// Beyond it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
 inline void keep_the_wedge(const Cut_surface& surface, const int corner, std::vector<Reached_sector>& sectors)
 {
   const double least_filled_part = 0.8;
