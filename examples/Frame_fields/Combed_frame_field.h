@@ -43,7 +43,7 @@ public:
     return result;
   }
 
-  // Direction k of the face of `h`, which is not constrained, goes on as direction k + jump of the face of its opposite.
+  // Direction k of the face of `h`, which is not constrained, goes on as direction k + jump of the neighbor.
   int jump(const Halfedge h) const
   {
     return modulo_4(m_turn[m_mesh.face(h)] + m_matching[h] - m_turn[m_mesh.face(m_mesh.opposite(h))]);

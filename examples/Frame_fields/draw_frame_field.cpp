@@ -7,7 +7,6 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/Graphics_scene.h>
 #include <CGAL/Qt/Basic_viewer.h>
 #else
 #include <CGAL/Qt/Basic_viewer_qt.h>
@@ -16,7 +15,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <vector>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -30,13 +28,12 @@ void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Sce
 {
   for(const Mesh::Face_index f : mesh.faces())
   {
-    std::vector<Kernel::Point_3> corners;
+    const auto h = mesh.halfedge(f);
+    const auto corners = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                           mesh.point(mesh.target(mesh.next(h))) };
     scene.face_begin(CGAL::IO::white());
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-    {
-      corners.push_back(mesh.point(v));
-      scene.add_point_in_face(corners.back());
-    }
+    for(const Kernel::Point_3& corner : corners)
+      scene.add_point_in_face(corner);
     scene.face_end();
     const double size = 0.4 * std::sqrt(PMP::face_area(f, mesh));
     const Kernel::Point_3 center = CGAL::centroid(corners.begin(), corners.end());
@@ -54,9 +51,9 @@ void show(const Mesh& mesh, const Angle_map alpha, const Angle_map rho)
   CGAL::draw_graphics_scene(scene, "Frame field"); // no window if CGAL_TEST_SUITE is set
 #else
   int argc = 1;
-  const char* argv[] = { "draw_frame_field", nullptr };
+  char name[] = "draw_frame_field", *argv[] = { name, nullptr };
   CGAL::Qt::init_ogl_context(4, 3);
-  QApplication application(argc, const_cast<char**>(argv));
+  QApplication application(argc, argv);
   CGAL::Basic_viewer_qt viewer(nullptr, "Frame field");
   add_field(mesh, alpha, rho, viewer);
   viewer.show();
@@ -75,9 +72,8 @@ int main(int argc, char* argv[])
   auto rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
-  const auto features = FF::parameters::edge_is_constrained_map(is_feature);
-  FF::split_overconstrained_faces(mesh, features);
-  if(!FF::cad_frame_field(mesh, alpha, rho, index, features))
+  FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
+  if(!FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
   show(mesh, alpha, rho);
   return EXIT_SUCCESS;

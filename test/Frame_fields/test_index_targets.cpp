@@ -57,7 +57,8 @@ TYPED_TEST(Index_targets, sphere_gets_its_singularities_where_they_are_wanted)
   std::vector<int> order = this->sectors(cut, false);
   std::mt19937 random(7);
   for(const std::vector<int>& indices : { std::vector<int>(8, 1), std::vector<int>{ 4, 4 },
-                                          std::vector<int>{ 2, 2, 2, 2 }, std::vector<int>{ 8 }, std::vector<int>{ 5, 5, -1, -1 } })
+                                          std::vector<int>{ 2, 2, 2, 2 }, std::vector<int>{ 8 },
+                                          std::vector<int>{ 5, 5, -1, -1 } })
   {
     std::shuffle(order.begin(), order.end(), random);
     std::map<int, int> targets;

@@ -21,6 +21,8 @@
 #include <CGAL/Frame_fields/internal/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <numeric>
 #include <vector>
 
