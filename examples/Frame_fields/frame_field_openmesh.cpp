@@ -1,5 +1,6 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
 
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
@@ -25,7 +26,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  auto is_feature = get(CGAL::dynamic_edge_property_t<char>(), mesh); // CGAL 5.5 cannot have bool here
   auto alpha = get(CGAL::dynamic_face_property_t<double>(), mesh);
   auto rho = get(CGAL::dynamic_face_property_t<double>(), mesh);
   auto index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);

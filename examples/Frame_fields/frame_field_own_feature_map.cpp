@@ -70,7 +70,7 @@ int main(int argc, char* argv[])
     FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
   const FF::Result result =
     FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature));
-  std::cout << pairs.size() << " feature edges, " << number_of_split_faces << " faces split: " << result.message
-            << std::endl;
+  std::cout << pairs.size() << " feature edges, " << number_of_split_faces << " faces split: "
+            << FF::get_error_message(result.error_code) << std::endl;
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -74,6 +74,6 @@ int main(int argc, char* argv[])
   FF::split_overconstrained_faces(mesh, features);
   const FF::Result result =
     FF::cad_frame_field(mesh, alpha, rho, index, features.sparse_linear_solver(Iterative_solver_traits()));
-  std::cout << result.message << ": energy " << statistics.energy_relaxed << std::endl;
+  std::cout << FF::get_error_message(result.error_code) << ": energy " << statistics.energy_relaxed << std::endl;
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }
