@@ -352,6 +352,16 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(completed.returncode, DONE, completed.stderr)
         return completed
 
+    def run_example_on(self, name, *models):
+        """The words of each line that an example prints."""
+        example = paths.program.with_name(name)
+        for path in (example, *models):
+            if not path.is_file():
+                self.skipTest(f"there is no {path}")
+        completed = run(example, *models)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        return [line.split() for line in completed.stdout.splitlines()]
+
     def report(self, *arguments):
         self.succeed(*arguments, "--quiet", "--report", "out.json")
         return json.loads((self.folder / "out.json").read_text())
@@ -1000,15 +1010,6 @@ class Examples(ProgramTest):
         """The words of each line that an example prints for CGAL's fandisk."""
         return self.run_example_on(name, paths.cgal_data / "meshes/fandisk.off")
 
-    def run_example_on(self, name, *models):
-        example = paths.program.with_name(name)
-        for path in (example, *models):
-            if not path.is_file():
-                self.skipTest(f"there is no {path}")
-        completed = run(example, *models)
-        self.assertEqual(completed.returncode, 0, completed.stderr)
-        return [line.split() for line in completed.stdout.splitlines()]
-
     def test_surface_mesh_example_prints_four_unit_vectors(self):
         vectors = [tuple(map(float, words)) for words in self.run_example("frame_field_surface_mesh")]
         self.assertEqual(len(vectors), 4)
@@ -1020,12 +1021,6 @@ class Examples(ProgramTest):
         line, = self.run_example("frame_field_polyhedron")
         field = computed_field(paths.cgal_data / "meshes/fandisk.off")
         self.assertEqual(int(line[0]), sum(index != 0 for index in field.index.values()))
-
-    def test_openmesh_example_prints_two_unit_vectors(self):
-        vectors = [tuple(map(float, words)) for words in self.run_example_on("frame_field_openmesh", flange())]
-        self.assertEqual(len(vectors), 2)
-        for vector in vectors:
-            self.assertAlmostEqual(norm(vector), 1, delta=1e-5)
 
     def test_stages_example_finds_as_many_singular_sectors_as_the_program(self):
         count = {" ".join(words[1:]): words[0] for words in self.run_example("frame_field_stages")}
@@ -1056,16 +1051,6 @@ class Examples(ProgramTest):
     def test_parallel_example_solves_all_patches(self):
         words, = self.run_example("frame_field_parallel")
         self.assertEqual(int(words[0]), computed_field(paths.cgal_data / "meshes/fandisk.off").report["patches"])
-
-    def test_drawing_example_starts_without_a_screen(self):
-        if not shutil.which("xvfb-run"):
-            self.skipTest("there is no xvfb-run")
-        example = paths.program.with_name("draw_frame_field")
-        if not example.is_file():
-            self.skipTest(f"there is no {example}")
-        completed = subprocess.run(["xvfb-run", "-a", example, flange()], env={**os.environ, "CGAL_TEST_SUITE": "1"},
-                                   capture_output=True, text=True)
-        self.assertEqual(completed.returncode, 0, completed.stderr)
 
     def test_seams_around_each_vertex_turn_by_its_index(self):
         lines = self.run_example("frame_field_for_quad_mesher")
@@ -1099,7 +1084,8 @@ class Examples(ProgramTest):
                 self.assertAlmostEqual(dot(directions[side][number], along), 1, delta=1e-9)
 
     def test_examples_that_cannot_read_their_model_fail(self):
-        for name in ("frame_field_surface_mesh", "frame_field_polyhedron"):
+        for name in ("surface_mesh", "polyhedron", "stages", "indices", "own_solver", "parallel", "for_quad_mesher"):
+            name = "frame_field_" + name
             self.run_example(name)  # or skip
             completed = run(paths.program.with_name(name), "missing.off")
             self.assertEqual(completed.returncode, 1)
@@ -1112,6 +1098,26 @@ class Examples(ProgramTest):
         self.assertGreater(len(listings), 0)
         for listing in listings:
             self.assertIn("\n" + listing, example)
+
+
+class OpenmeshExample(ProgramTest):
+    def test_openmesh_example_prints_two_unit_vectors(self):
+        vectors = [tuple(map(float, words)) for words in self.run_example_on("frame_field_openmesh", flange())]
+        self.assertEqual(len(vectors), 2)
+        for vector in vectors:
+            self.assertAlmostEqual(norm(vector), 1, delta=1e-5)
+
+
+class DrawingExample(ProgramTest):
+    def test_drawing_example_starts_without_a_screen(self):
+        if not shutil.which("xvfb-run"):
+            self.skipTest("there is no xvfb-run")
+        example = paths.program.with_name("draw_frame_field")
+        if not example.is_file():
+            self.skipTest(f"there is no {example}")
+        completed = subprocess.run(["xvfb-run", "-a", example, flange()], env={**os.environ, "CGAL_TEST_SUITE": "1"},
+                                   capture_output=True, text=True)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
 
 
 def main():
