@@ -1,7 +1,7 @@
 #include <CGAL/Frame_fields.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
@@ -16,9 +16,9 @@
 #include <cmath>
 #include <cstdlib>
 
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Face_index, double> Angle_map;
+
 namespace FF = CGAL::Frame_fields;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -32,11 +32,11 @@ void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Sce
     const auto corners = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                            mesh.point(mesh.target(mesh.next(h))) };
     scene.face_begin(CGAL::IO::white());
-    for(const Kernel::Point_3& corner : corners)
+    for(const Mesh::Point& corner : corners)
       scene.add_point_in_face(corner);
     scene.face_end();
     const double size = 0.4 * std::sqrt(PMP::face_area(f, mesh));
-    const Kernel::Point_3 center = CGAL::centroid(corners.begin(), corners.end());
+    const Mesh::Point center = CGAL::centroid(corners.begin(), corners.end());
     const auto branch = FF::frame_vectors(mesh, f, alpha[f], rho[f]);
     scene.add_segment(center + size * branch[0], center + size * branch[2], CGAL::IO::blue());
     scene.add_segment(center + size * branch[1], center + size * branch[3], CGAL::IO::red());
@@ -67,7 +67,7 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(!PMP::IO::read_polygon_mesh((argc > 1) ? argv[1] : "data/flange.off", mesh))
     return EXIT_FAILURE;
-  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   auto alpha = mesh.add_property_map<Mesh::Face_index, double>("f:alpha").first;
   auto rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
@@ -76,5 +76,4 @@ int main(int argc, char* argv[])
   if(!FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
   show(mesh, alpha, rho);
-  return EXIT_SUCCESS;
 }

@@ -18,7 +18,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Frame_fields/internal/Editable_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
