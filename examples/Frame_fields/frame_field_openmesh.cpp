@@ -7,18 +7,19 @@
 #include <CGAL/Frame_fields.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
+#include <array>
 #include <iostream>
 #include <string>
 
 typedef OpenMesh::TriMesh Mesh;
-typedef OpenMesh::TriMesh::Point Vector;
+typedef std::array<double, 3> Vector;
 
 namespace FF = CGAL::Frame_fields;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = (argc > 1) ? argv[1] : "data/flange.off";
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
   Mesh mesh;
   if(!OpenMesh::IO::read_mesh(mesh, filename))
   {
@@ -47,10 +48,11 @@ int main(int argc, char* argv[])
   for(const OpenMesh::FaceHandle f : mesh.faces())
   {
     const auto branch = FF::frame_vectors(mesh, f, get(alpha, f), get(rho, f));
-    u[f] = Vector(branch[0].x(), branch[0].y(), branch[0].z());
-    v[f] = Vector(branch[1].x(), branch[1].y(), branch[1].z());
+    u[f] = { branch[0].x(), branch[0].y(), branch[0].z() };
+    v[f] = { branch[1].x(), branch[1].y(), branch[1].z() };
   }
   const OpenMesh::FaceHandle first = *mesh.faces_begin();
-  std::cout << u[first] << std::endl << v[first] << std::endl;
+  for(const Vector& direction : { u[first], v[first] })
+    std::cout << direction[0] << " " << direction[1] << " " << direction[2] << std::endl;
   return EXIT_SUCCESS;
 }
