@@ -29,14 +29,14 @@ void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Sce
   for(const Mesh::Face_index f : mesh.faces())
   {
     const auto h = mesh.halfedge(f);
-    const auto corners = { mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                           mesh.point(mesh.target(mesh.next(h))) };
+    const Mesh::Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                      &r = mesh.point(mesh.target(mesh.next(h)));
     scene.face_begin(CGAL::IO::white());
-    for(const Mesh::Point& corner : corners)
+    for(const Mesh::Point& corner : { p, q, r })
       scene.add_point_in_face(corner);
     scene.face_end();
     const double size = 0.4 * std::sqrt(PMP::face_area(f, mesh));
-    const Mesh::Point center = CGAL::centroid(corners.begin(), corners.end());
+    const Mesh::Point center = CGAL::centroid(p, q, r);
     const auto branch = FF::frame_vectors(mesh, f, alpha[f], rho[f]);
     scene.add_segment(center + size * branch[0], center + size * branch[2], CGAL::IO::blue());
     scene.add_segment(center + size * branch[1], center + size * branch[3], CGAL::IO::red());
