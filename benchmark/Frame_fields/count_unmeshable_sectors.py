@@ -15,7 +15,8 @@ def report_of(program, model, angle, *options):
     """The JSON report of one run, or None if the program refuses the model."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "report.json"
-        command = [program, model, "--feature-angle", str(angle), "--no-baseline", "--quiet", "--report", path, *options]
+        command = [program, model, "--feature-angle", str(angle), "--no-baseline", "--quiet", "--report", path,
+                   *options]
         if subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode:
             return None
         return json.loads(path.read_text(encoding="utf-8"))

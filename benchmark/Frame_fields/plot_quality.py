@@ -46,7 +46,8 @@ def main():
         for k, (variant, values) in enumerate(qualities.items()):
             places = [place + 0.27 * (k - 1) for place in range(len(values))]
             axis.bar(places, [factor * value[key] for value in values], 0.25, label=variant)
-        axis.set_xticks(range(len(arguments.models)), [model.stem for model in arguments.models], rotation=35, ha="right")
+        axis.set_xticks(range(len(arguments.models)), [model.stem for model in arguments.models], rotation=35,
+                        ha="right")
         axis.set_ylabel(label)
     axes[1].legend(frameon=False, fontsize="small", loc="upper left")
     figure.savefig(arguments.picture, metadata={"Date": None})

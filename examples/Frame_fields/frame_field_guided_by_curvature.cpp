@@ -44,6 +44,7 @@ int main(int argc, char* argv[])
   std::vector<FF::Singularity<Mesh::Halfedge_index> > singularities;
   FF::singularities(mesh, index, std::back_inserter(singularities));
   for(const auto& singularity : singularities)
-    std::cout << "index " << singularity.index << "/4 at " << mesh.point(mesh.target(singularity.halfedge)) << std::endl;
+    std::cout << "index " << singularity.index << "/4 at " << mesh.point(mesh.target(singularity.halfedge))
+              << std::endl;
   return EXIT_SUCCESS;
 }

@@ -62,7 +62,8 @@ class Field:
         def of_faces(name):
             return vtk_to_numpy(data.GetCellData().GetArray(name))[-len(self.triangles):].copy()
 
-        self.index, self.sharp, self.interior = of_verts("index"), of_verts("sharp_corner") == 1, of_verts("interior") == 1
+        self.index = of_verts("index")
+        self.sharp, self.interior = of_verts("sharp_corner") == 1, of_verts("interior") == 1
         self.u, self.v = of_faces("u"), of_faces("v")
         a, b, c = (self.points[self.triangles[:, i]] for i in range(3))
         self.centroids = (a + b + c) / 3
@@ -107,7 +108,8 @@ class Field:
                     if other in unseen:
                         unseen.remove(other)
                         queue.append(other)
-                        dots = np.abs(np.stack([self.u[face], self.v[face]]) @ np.stack([self.u[other], self.v[other]]).T)
+                        dots = np.abs(np.stack([self.u[face], self.v[face]])
+                                      @ np.stack([self.u[other], self.v[other]]).T)
                         if dots[0, 1] + dots[1, 0] > dots[0, 0] + dots[1, 1]:
                             self.u[other], self.v[other] = self.v[other].copy(), self.u[other].copy()
 
@@ -306,8 +308,8 @@ def crosses(field, view, spacing):
     arm, thickness = 0.44 * spacing, 0.06 * spacing
     points = points + 1.2 * thickness * field.normals[faces]
     segments = np.arange(2 * len(faces)).reshape(2, -1).T
-    return [tubes(np.concatenate([points - arm * branch[faces], points + arm * branch[faces]]), segments, thickness, colour,
-                  Ambient=0.8, Diffuse=0.3) for branch, colour in ((field.u, BRANCH_U), (field.v, BRANCH_V))]
+    return [tubes(np.concatenate([points - arm * branch[faces], points + arm * branch[faces]]), segments, thickness,
+                  colour, Ambient=0.8, Diffuse=0.3) for branch, colour in ((field.u, BRANCH_U), (field.v, BRANCH_V))]
 
 
 def streamlines(field, radius):
@@ -361,7 +363,8 @@ def text(content, x, y, size, bold=False):
 def swatch(x, y, size, colour):
     corners = np.array([[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]], dtype=float)
     square = poly_data(corners, polygons=np.array([[0, 1, 2, 3]]))
-    result = configured(vtk.vtkActor2D(), Mapper=configured(vtk.vtkPolyDataMapper2D(), InputData=square), Position=(x, y))
+    result = configured(vtk.vtkActor2D(), Mapper=configured(vtk.vtkPolyDataMapper2D(), InputData=square),
+                        Position=(x, y))
     result.GetProperty().SetColor(colour)
     return result
 
@@ -391,7 +394,8 @@ def arguments():
     parser.add_argument("picture", help="PNG file to write")
     parser.add_argument("--title", default="")
     parser.add_argument("--size", nargs=2, type=int, default=[1800, 1000], metavar=("W", "H"))
-    parser.add_argument("--view", nargs=2, type=float, default=[30, 40], metavar=("AZIMUTH", "ELEVATION"), help="degrees")
+    parser.add_argument("--view", nargs=2, type=float, default=[30, 40], metavar=("AZIMUTH", "ELEVATION"),
+                        help="degrees")
     parser.add_argument("--zoom", type=float, default=1.0)
     parser.add_argument("--cross-spacing", type=float, help="default: diagonal of the bounding box / 70")
     close_up = parser.add_mutually_exclusive_group()

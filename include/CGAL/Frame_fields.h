@@ -16,10 +16,8 @@
 /// includes all functions of this package.
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
-#include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
-#include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>

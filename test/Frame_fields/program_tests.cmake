@@ -1,4 +1,4 @@
-# Tests of the program cad_frame_field and of the two examples: one for each class of test_program.py.
+# Tests of the program cad_frame_field and of the examples: one for each class of test_program.py.
 # Expects cgal_data_directory and FRAME_FIELDS_CAD_DATA_DIRECTORY.
 
 if(NOT TARGET cad_frame_field)

@@ -222,8 +222,9 @@ TYPED_TEST(Guidance, wrong_guides_are_refused)
 {
   const Cad_mesh<TypeParam> cad_mesh(torus());
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  for(const Guide& guide : { Guide{ Vector(0, 0, 0), 1 }, Guide{ Vector(nan, 0, 1), 1 }, Guide{ Vector(infinity, 0, 1), 1 },
-                             Guide{ Vector(1, 2, 3), -1 }, Guide{ Vector(1, 2, 3), nan } })
+  for(const Guide& guide : { Guide{ Vector(0, 0, 0), 1 }, Guide{ Vector(nan, 0, 1), 1 },
+                             Guide{ Vector(infinity, 0, 1), 1 }, Guide{ Vector(1, 2, 3), -1 },
+                             Guide{ Vector(1, 2, 3), nan } })
   {
     const Maps<TypeParam> maps(cad_mesh.mesh);
     const FF::Result result =

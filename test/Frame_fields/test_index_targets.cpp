@@ -57,8 +57,9 @@ TYPED_TEST(Index_targets, sphere_gets_its_singularities_where_they_are_wanted)
   const Cut cut = cad_mesh.cut();
   std::vector<int> order = this->sectors(cut, false);
   std::mt19937 random(7);
-  for(const std::vector<int>& indices : { std::vector<int>(8, 1), std::vector<int>{ 4, 4 }, std::vector<int>{ 2, 2, 2, 2 },
-                                          std::vector<int>{ 8 }, std::vector<int>{ 5, 5, -1, -1 } })
+  for(const std::vector<int>& indices : { std::vector<int>(8, 1), std::vector<int>{ 4, 4 },
+                                          std::vector<int>{ 2, 2, 2, 2 }, std::vector<int>{ 8 },
+                                          std::vector<int>{ 5, 5, -1, -1 } })
   {
     std::shuffle(order.begin(), order.end(), random);
     std::map<int, int> targets;
@@ -132,7 +133,8 @@ TYPED_TEST(Index_targets, two_targets_for_one_sector_are_refused)
   const Cad_mesh<TypeParam> cad_mesh(sphere());
   const auto map = this->target_map(cad_mesh, cad_mesh.cut(), {});
   int target = 1;
-  for(const auto h : CGAL::halfedges_around_target(halfedge(*faces(cad_mesh.mesh).begin(), cad_mesh.mesh), cad_mesh.mesh))
+  const auto corner = halfedge(*faces(cad_mesh.mesh).begin(), cad_mesh.mesh);
+  for(const auto h : CGAL::halfedges_around_target(corner, cad_mesh.mesh))
     put(map, h, target++);
   EXPECT_EQ(FF::ERROR_WRONG_FIELD, this->error(cad_mesh, map).error_code);
 }

@@ -135,7 +135,8 @@ TYPED_TEST(Parameters, include_the_repair_of_two_triangles_back_to_back)
     for(double y = 0.05; y < 1; y += 0.1)
     {
       Model model;
-      model.points = { Point(0, 0, 0), Point(1, 0, 0), Point(x, y, 0) };
+      for(const Point& point : { Point(0, 0, 0), Point(1, 0, 0), Point(x, y, 0) })
+        model.points.push_back(point);
       model.triangles = { { 0, 1, 2 }, { 0, 2, 1 } };
       model.features = { segment(model.points[0], model.points[1]) };
       const Cad_mesh<TypeParam> cad_mesh(model);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of the program cad_frame_field and of the two examples; see --help for the arguments."""
+"""Tests of the program cad_frame_field and of the examples; see --help for the arguments."""
 
 import argparse
 import collections
@@ -354,6 +354,16 @@ class ProgramTest(unittest.TestCase):
         completed = self.run_program(*arguments)
         self.assertEqual(completed.returncode, DONE, completed.stderr)
         return completed
+
+    def run_example_on(self, name, *models):
+        """The words of each line that an example prints."""
+        example = paths.program.with_name(name)
+        for path in (example, *models):
+            if not path.is_file():
+                self.skipTest(f"there is no {path}")
+        completed = run(example, *models)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        return [line.split() for line in completed.stdout.splitlines()]
 
     def report(self, *arguments):
         self.succeed(*arguments, "--quiet", "--report", "out.json")
@@ -1671,13 +1681,7 @@ class CadModels(ProgramTest):
 class Examples(ProgramTest):
     def run_example(self, name):
         """The words of each line that an example prints for CGAL's fandisk."""
-        example, model = paths.program.with_name(name), paths.cgal_data / "meshes/fandisk.off"
-        for path in (example, model):
-            if not path.is_file():
-                self.skipTest(f"there is no {path}")
-        completed = run(example, model)
-        self.assertEqual(completed.returncode, 0, completed.stderr)
-        return [line.split() for line in completed.stdout.splitlines()]
+        return self.run_example_on(name, paths.cgal_data / "meshes/fandisk.off")
 
     def test_surface_mesh_example_prints_four_unit_vectors(self):
         vectors = [tuple(map(float, words)) for words in self.run_example("frame_field_surface_mesh")]
@@ -1691,8 +1695,70 @@ class Examples(ProgramTest):
         field = computed_field(paths.cgal_data / "meshes/fandisk.off")
         self.assertEqual(int(line[0]), sum(index != 0 for index in field.index.values()))
 
+    def test_stages_example_finds_as_many_singular_sectors_as_the_program(self):
+        count = {" ".join(words[1:]): words[0] for words in self.run_example("frame_field_stages")}
+        report = computed_field(paths.cgal_data / "meshes/fandisk.off").report
+        self.assertEqual(int(count["faces split"]), report["split_faces"])
+        self.assertEqual(int(count["sharp corners"]), report["sharp_corners"])
+        histogram = report["index_histogram"]
+        self.assertEqual(int(count["singular sectors"]), sum(number for place in histogram.values()
+                                                             for index, number in place.items() if int(index) != 0))
+
+    def test_indices_example_sums_to_the_euler_characteristic_of_each_patch(self):
+        patches = [words for words in self.run_example("frame_field_indices") if words[0] == "patch"]
+        self.assertEqual(len(patches), computed_field(paths.cgal_data / "meshes/fandisk.off").report["patches"])
+        for words in patches:
+            self.assertEqual(int(words[3].removesuffix("/4,")), 4 * int(words[6]))
+
+    def test_example_with_listed_features_has_all_of_them(self):
+        features = flange().with_suffix(".feat")
+        words, = self.run_example_on("frame_field_own_feature_map", flange(), features)
+        pairs = [line for line in features.read_text().splitlines() if line and not line.startswith("#")]
+        self.assertEqual(int(words[0]), len(pairs))
+
+    def test_example_with_its_own_solver_reaches_the_energy_of_the_default_solver(self):
+        words, = self.run_example("frame_field_own_solver")
+        energy = computed_field(paths.cgal_data / "meshes/fandisk.off").report["energy_relaxed"]
+        self.assertAlmostEqual(float(words[-1]) / energy, 1, delta=1e-5)
+
+    def test_parallel_example_solves_all_patches(self):
+        words, = self.run_example("frame_field_parallel")
+        self.assertEqual(int(words[0]), computed_field(paths.cgal_data / "meshes/fandisk.off").report["patches"])
+
+    def test_seams_around_each_vertex_turn_by_its_index(self):
+        lines = self.run_example("frame_field_for_quad_mesher")
+        rows = {key: [words[1:] for words in lines if words[0] == key] for key in "vfcsp"}
+        constrained = {int(v) for words in rows["c"] for v in words[:2]}
+        turn = collections.Counter()
+        for a, b, jump in (map(int, words) for words in rows["s"]):
+            turn[b] += jump  # turning counter-clockwise about b, the edge is crossed from its left to its right ...
+            turn[a] -= jump  # ... and the other way about a
+        index = collections.Counter()
+        for v, quarters, is_constrained in (map(int, words) for words in rows["p"]):
+            if not is_constrained:
+                index[v] = quarters
+        self.assertGreater(len(index), 0)
+        for v in range(len(rows["v"])):
+            if v not in constrained:
+                self.assertEqual((turn[v] - index[v]) % 4, 0, f"vertex {v}")
+
+    def test_directions_for_a_quad_mesher_run_along_constrained_edges(self):
+        lines = self.run_example("frame_field_for_quad_mesher")
+        points = [tuple(map(float, words[1:])) for words in lines if words[0] == "v"]
+        directions = {}
+        for words in (words for words in lines if words[0] == "f"):
+            corners, numbers = [int(v) for v in words[1:4]], [float(number) for number in words[4:]]
+            u, v = numbers[:3], numbers[3:]
+            for k in range(3):
+                directions[corners[k - 1], corners[k]] = (u, v, [-x for x in u], [-x for x in v])
+        for a, b, left, right in (map(int, words[1:]) for words in lines if words[0] == "c"):
+            for side, number in (((a, b), left), ((b, a), right)):
+                along = unit(difference(points[side[1]], points[side[0]]))
+                self.assertAlmostEqual(dot(directions[side][number], along), 1, delta=1e-9)
+
     def test_examples_that_cannot_read_their_model_fail(self):
-        for name in ("frame_field_surface_mesh", "frame_field_polyhedron"):
+        for name in ("surface_mesh", "polyhedron", "stages", "indices", "own_solver", "parallel", "for_quad_mesher"):
+            name = "frame_field_" + name
             self.run_example(name)  # or skip
             completed = run(paths.program.with_name(name), "missing.off")
             self.assertEqual(completed.returncode, 1)
@@ -1705,6 +1771,27 @@ class Examples(ProgramTest):
         self.assertGreater(len(listings), 0)
         for listing in listings:
             self.assertIn("\n" + listing, example)
+
+
+class OpenmeshExample(ProgramTest):
+    def test_openmesh_example_prints_two_unit_vectors(self):
+        vectors = [tuple(map(float, words)) for words in self.run_example_on(
+            "frame_field_openmesh", paths.cgal_data / "meshes/fandisk.off")]
+        self.assertEqual(len(vectors), 2)
+        for vector in vectors:
+            self.assertAlmostEqual(norm(vector), 1, delta=1e-5)
+
+
+class DrawingExample(ProgramTest):
+    def test_drawing_example_starts_without_a_screen(self):
+        if not shutil.which("xvfb-run"):
+            self.skipTest("there is no xvfb-run")
+        example = paths.program.with_name("draw_frame_field")
+        if not example.is_file():
+            self.skipTest(f"there is no {example}")
+        completed = subprocess.run(["xvfb-run", "-a", example, flange()], env={**os.environ, "CGAL_TEST_SUITE": "1"},
+                                   capture_output=True, text=True)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
 
 
 def main():

@@ -1,5 +1,5 @@
-// Random planar domains with many very sharp corners a few edges apart: whatever the mesh, no corner may be left unmeshable.
-// The environment variable FRAME_FIELDS_RANDOM_DOMAINS sets their number, FRAME_FIELDS_SEED the first seed.
+// Random planar domains with many very sharp corners a few edges apart: whatever the mesh, no corner may be left
+// unmeshable. The environment variable FRAME_FIELDS_RANDOM_DOMAINS sets their number, FRAME_FIELDS_SEED the first seed.
 
 #include "random_models.h"
 #include "test_cad_mesh.h"
@@ -33,7 +33,8 @@ Count count(const Surface_mesh& mesh, const Frame_fields::Support_strategy& stra
   const auto index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
   Frame_fields::Statistics statistics;
   const Frame_fields::Result result = Frame_fields::cad_frame_field(
-    mesh, alpha, rho, index, params::statistics(std::ref(statistics)).support_strategy(strategy).repair_matching(repairs));
+    mesh, alpha, rho, index,
+    params::statistics(std::ref(statistics)).support_strategy(strategy).repair_matching(repairs));
   EXPECT_TRUE(result) << result.message;
 
   Count total;

@@ -2,11 +2,11 @@
 \ingroup PkgFrame_fieldsConcepts
 \cgalConcept
 
-The concept `PositiveDefiniteSolver` describes a solver of linear systems with one sparse hermitian positive definite matrix
-(symmetric, for real scalars) and any number of right-hand sides.
+The concept `PositiveDefiniteSolver` describes a solver of linear systems with one sparse hermitian positive definite
+matrix (symmetric, for real scalars) and any number of right-hand sides.
 
-Direct solvers suit best: the matrix of a patch without constrained edges is shifted by only \f$ 10^{-9} \f$ from a positive
-semi-definite one.
+Direct solvers suit best: the matrix of a patch without constrained edges is shifted by only \f$ 10^{-9} \f$ from a
+positive semi-definite one.
 
 \cgalRefines{MoveConstructible}
 
@@ -39,15 +39,15 @@ typedef unspecified_type Scalar;
 /// @{
 
 /*!
-factors `matrix`, which has at least one row, and returns whether this succeeded. After the return the solver must not refer
-to `matrix` any more.
+factors `matrix`, which has at least one row, and returns whether this succeeded. After the return the solver must not
+refer to `matrix` any more.
 */
 bool factor(const CGAL::Frame_fields::Hermitian_matrix<Scalar>& matrix);
 
 /*!
 resizes `solution` to the size of `right_hand_side`, sets it such that the factored matrix times `solution` is
-`right_hand_side`, and returns whether this succeeded. It is called after a successful `factor()`, maybe several times. A
-solution with an entry that is not finite counts as a failure, whatever is returned.
+`right_hand_side`, and returns whether this succeeded. It is called after a successful `factor()`, maybe several times.
+A solution with an entry that is not finite counts as a failure, whatever is returned.
 */
 bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution);
 

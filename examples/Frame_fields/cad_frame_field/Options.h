@@ -87,7 +87,8 @@ inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::str
   if(text.compare(0, prefix.size(), prefix) != 0 || digits.empty()
      || !std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isdigit(c); })
      || !boost::conversion::try_lexical_convert(digits, number_of_rings))
-    throw Failure(BAD_USAGE, "--support is '" + text + "' and must be none, local, rings:K, radius, radius:R or component");
+    throw Failure(BAD_USAGE,
+                  "--support is '" + text + "' and must be none, local, rings:K, radius, radius:R or component");
   return Support_strategy::rings(number_of_rings);
 }
 

@@ -59,8 +59,8 @@ inline Index_target_map mark_index_targets(const std::string& path, const Model&
     if(found == targets.end() || model.mesh.is_isolated(v))
       continue;
     if(is_on_feature(model.mesh, is_feature, v))
-      throw Failure(BAD_FILE, path + ": vertex " + std::to_string(k) + " is on a feature edge; only vertices on none can "
-                              "be given an index");
+      throw Failure(BAD_FILE, path + ": vertex " + std::to_string(k) + " is on a feature edge; only vertices on none "
+                              "can be given an index");
     for(const Halfedge h : CGAL::halfedges_around_target(v, model.mesh))
       put(result, h, found->second);
   }

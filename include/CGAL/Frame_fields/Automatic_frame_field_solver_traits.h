@@ -56,7 +56,8 @@ public:
   /// solver did.
   bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
   {
-    return m_is_large ? m_large_solver.solve(right_hand_side, solution) : m_small_solver.solve(right_hand_side, solution);
+    return m_is_large ? m_large_solver.solve(right_hand_side, solution)
+                      : m_small_solver.solve(right_hand_side, solution);
   }
 
 private:
@@ -68,8 +69,8 @@ private:
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// is a solver traits that chooses for each system of each patch: small ones are solved by `SmallSolverTraits` and large
-/// ones by `LargeSolverTraits`.
+/// is a solver traits that chooses for each system of each patch: small ones are solved by `SmallSolverTraits` and
+/// large ones by `LargeSolverTraits`.
 ///
 /// \cgalModels{FrameFieldOrderingSolverTraits}
 ///

@@ -27,8 +27,8 @@ enum Edge_weighting
   UNIFORM_WEIGHTS,
 
   /// the length of the edge divided by the length of its dual, 1 for two equilateral triangles: the sums approximate
-  /// integrals over the surface, so that the field depends little on the mesh. The dual of an edge joins the centroids of
-  /// its two triangles and is measured perpendicular to the edge.
+  /// integrals over the surface, so that the field depends little on the mesh. The dual of an edge joins the centroids
+  /// of its two triangles and is measured perpendicular to the edge.
   PRIMAL_OVER_DUAL_LENGTH
 };
 

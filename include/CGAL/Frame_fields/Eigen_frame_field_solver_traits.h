@@ -30,8 +30,8 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// solves hermitian positive definite systems by the sparse Cholesky factorization `Eigen::SimplicialLDLT`, which eliminates
-/// the unknowns in the order of their numbers.
+/// solves hermitian positive definite systems by the sparse Cholesky factorization `Eigen::SimplicialLDLT`, which
+/// eliminates the unknowns in the order of their numbers.
 ///
 /// \cgalModels{PositiveDefiniteSolver}
 ///
@@ -74,8 +74,8 @@ private:
 
 /// \ingroup PkgFrame_fieldsSolver
 ///
-/// is the default solver traits: sparse Cholesky factorizations by \ref thirdpartyEigen "Eigen" in an approximate minimum
-/// degree order.
+/// is the default solver traits: sparse Cholesky factorizations by \ref thirdpartyEigen "Eigen" in an approximate
+/// minimum degree order.
 ///
 /// \cgalModels{FrameFieldOrderingSolverTraits}
 struct Eigen_frame_field_solver_traits

@@ -31,9 +31,9 @@ struct Field_quality
   /// the largest of them, in radians
   double maximum_rotation = 0;
 
-  /// how far the branches are from gradients of a parameterization: matched branches \f$ u_i, u_j \f$ on the two sides of
-  /// an edge \f$ e \f$ differ by \f$ (u_i - u_j) \cdot e \f$ along it; this is the root of the sum of the squares over
-  /// all edges and both branch pairs, divided by the root of the sum of \f$ 2 |e|^2 \f$. 0 is best.
+  /// how far the branches are from gradients of a parameterization: matched branches \f$ u_i, u_j \f$ on the two sides
+  /// of an edge \f$ e \f$ differ by \f$ (u_i - u_j) \cdot e \f$ along it; this is the root of the sum of the squares
+  /// over all edges and both branch pairs, divided by the root of the sum of \f$ 2 |e|^2 \f$. 0 is best.
   double curl = 0;
 
   /// the mean of \f$ |\rho| \f$ over the area, in radians

@@ -22,8 +22,8 @@ namespace Frame_fields {
 /// tells where the rotation prescribed at a sharp corner is compensated (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
 ///
 /// The prescribed rotations of a patch sum to zero, so what a sharp corner \f$ v \f$ gets, \f$ \theta_v - \pi/2 \f$,
-/// must be taken from other sectors, the *receivers* of the corner. With `rings()`, `component()` and `radius()` the receivers
-/// are never sharp corners themselves, so that each sharp corner keeps exactly what it got.
+/// must be taken from other sectors, the *receivers* of the corner. With `rings()`, `component()` and `radius()` the
+/// receivers are never sharp corners themselves, so that each sharp corner keeps exactly what it got.
 class Support_strategy
 {
 public:
@@ -62,8 +62,9 @@ public:
   /// `PRIMAL_OVER_DUAL_LENGTH`.
   ///
   /// \param radius a length of the mesh; by default, half the length of the shorter one of the two constrained curves
-  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but not
-  ///        beyond the distance \f$ r \f$ up to which the patch fills at least 0.8 of the wedge \f$ \theta r^2 / 2 \f$
+  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but
+  ///        not beyond the distance \f$ r \f$ up to which the patch fills at least 0.8 of the wedge
+  ///        \f$ \theta r^2 / 2 \f$
   static Support_strategy radius(const double radius = 0) { return Support_strategy(RADIUS, 0, radius); }
 
   /// returns the kind of the strategy.

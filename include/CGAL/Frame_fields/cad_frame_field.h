@@ -94,9 +94,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
                           \f$ 1/2 \f$ or more}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no singularity.
-                    Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. The first
-                    part succeeds in every patch of at least four sectors.}
+    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
+                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
+                    least. The first part succeeds in every patch of at least four sectors.}
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_weight}
     \cgalParamDescription{the weight \f$ \epsilon \f$ of the squared skewness in the relaxation}
@@ -114,9 +114,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
-    \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights are
-                          not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a face of
-                          area \f$ A_i \f$}
+    \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
+                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a
+                          face of area \f$ A_i \f$}
     \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
     \cgalParamDefault{a quarter of the square root of the area of the patch}
   \cgalParamNEnd
@@ -176,8 +176,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
 
 \cgalNamedParamsBegin{Output Named Parameters}
   \cgalParamNBegin{matching_map}
-    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch
-                          \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to
+                          branch \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{it is not written}
@@ -232,9 +232,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
-and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, but for two things:
-`Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for each
-quarter index that it moves, \cgalBigO{n \log n} at most.
+and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, but for two
+things: `Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for
+each quarter index that it moves, \cgalBigO{n \log n} at most.
 
 \sa `split_overconstrained_faces()`
 \sa `frame_vectors()`

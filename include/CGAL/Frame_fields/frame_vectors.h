@@ -18,7 +18,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -33,8 +32,8 @@ namespace Frame_fields {
 \ingroup PkgFrame_fieldsRef
 
 computes the four branches of the frame of a face as unit vectors, at the angles
-\f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$ from the direction of `halfedge(f, tm)`,
-counter-clockwise about the normal of the face.
+\f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$ from the direction of
+`halfedge(f, tm)`, counter-clockwise about the normal of the face.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -80,9 +80,9 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
                           \f$ 1/2 \f$ or more}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no singularity.
-                    Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. The first
-                    part succeeds in every patch of at least four sectors.}
+    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
+                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
+                    least. The first part succeeds in every patch of at least four sectors.}
   \cgalParamNEnd
   \cgalParamNBegin{sharp_corner_bound}
     \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
@@ -138,8 +138,8 @@ so if the eigenvalue is multiple. It does not depend on the number of threads.
 
 \cgalNamedParamsBegin{Output Named Parameters}
   \cgalParamNBegin{matching_map}
-    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to branch
-                          \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
+    \cgalParamDescription{gets the matching \f$ p_{ij} \f$: branch \f$ k \f$ of the face of a halfedge corresponds to
+                          branch \f$ k + p_{ij} \f$ (modulo 4) of the face of its opposite}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{it is not computed}

@@ -34,9 +34,9 @@ namespace Frame_fields {
 turns the two branch pairs of an orthogonal frame field independently of one another to lower the rotation of the field
 (Section 4 of \cgalCite{cgal:dprcs-ffcm-22}): it minimizes
 \f$ \sum (r^0_{ij})^2 + (r^1_{ij})^2 + \epsilon \sum \rho_i^2 \f$. In faces with a constrained edge the branch pair
-along the edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, both pairs are turned back by the same angle until it
-does not; in a face with a constrained edge only the free pair is. The matching and the singularity indices stay what
-they are.
+along the edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, both pairs are turned back by the same
+angle until it does not; in a face with a constrained edge only the free pair is. The matching and the singularity
+indices stay what they are.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam AlphaMap a class model of `ReadWritePropertyMap` with
@@ -48,8 +48,8 @@ they are.
 \param tm the mesh
 \param alpha_map holds the orthogonal field of `orthogonal_frame_field()` and gets the angle of the first branch of the
        relaxed one, in radians
-\param rho_map gets the skewness: the branches of a face stand at \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and
-       \f$ \alpha + 3\pi/2 + \rho \f$
+\param rho_map gets the skewness: the branches of a face stand at \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$
+       and \f$ \alpha + 3\pi/2 + \rho \f$
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -78,7 +78,8 @@ they are.
     \cgalParamDefault{the one that brings each rotation \f$ r_{ij} \f$ nearest to the prescribed rotation}
   \cgalParamNEnd
   \cgalParamNBegin{prescribed_rotation_map}
-    \cgalParamDescription{the rotations \f$ \omega_{ij} \f$ of `prescribe_rotation()`, read if `matching_map` is not given}
+    \cgalParamDescription{the rotations \f$ \omega_{ij} \f$ of `prescribe_rotation()`, read if `matching_map` is not
+                          given}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type}
     \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
@@ -98,9 +99,9 @@ they are.
                           has an index of \f$ 1/2 \f$ or more}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no singularity.
-                    Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. The first
-                    part succeeds in every patch of at least four sectors.}
+    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
+                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
+                    least. The first part succeeds in every patch of at least four sectors.}
   \cgalParamNEnd
   \cgalParamNBegin{sharp_corner_bound}
     \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
@@ -108,15 +109,15 @@ they are.
     \cgalParamDefault{\f$ 3 \pi / 4 \f$}
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
-    \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights are
-                          not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a face of
-                          area \f$ A_i \f$}
+    \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
+                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a
+                          face of area \f$ A_i \f$}
     \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
     \cgalParamDefault{a quarter of the square root of the area of the patch}
   \cgalParamNEnd
   \cgalParamNBegin{guiding_direction_map}
-    \cgalParamDescription{a direction near which one of the four branches should be in each face; needed here for faces of infinite weight only; its projection to the
-                          plane of the face counts}
+    \cgalParamDescription{a direction near which one of the four branches should be in each face; needed here for faces
+                          of infinite weight only; its projection to the plane of the face counts}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` as value type}
     \cgalParamDefault{there is no guidance}

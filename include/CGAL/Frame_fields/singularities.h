@@ -22,7 +22,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <limits>
 #include <vector>
 
 /// \file singularities.h

@@ -35,9 +35,9 @@ computes the singularity index of each sector of a frame field,
 \f$ I = (\sum r_{ij} - \theta) / 2\pi + 1 \f$, less \f$ 1/2 \f$ for a sector on a constrained edge
 (Equation (3) of \cgalCite{cgal:dprcs-ffcm-22}).
 
-A quadrangle mesh that follows the field has \f$ 4 - 4I \f$ quadrangles at a sector that is not on a constrained edge and
-\f$ 2 - 4I \f$ at one that is. So an index of 0 is regular, \f$ 1/4 \f$ stands for the corner of a square or an inner
-vertex of valence 3, and a sector on a constrained edge with an index of \f$ 1/2 \f$ or more cannot be meshed. The
+A quadrangle mesh that follows the field has \f$ 4 - 4I \f$ quadrangles at a sector that is not on a constrained edge
+and \f$ 2 - 4I \f$ at one that is. So an index of 0 is regular, \f$ 1/4 \f$ stands for the corner of a square or an
+inner vertex of valence 3, and a sector on a constrained edge with an index of \f$ 1/2 \f$ or more cannot be meshed. The
 indices of a patch sum to its Euler characteristic.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -52,7 +52,8 @@ indices of a patch sum to its Euler characteristic.
 \param tm the mesh
 \param alpha_map holds the angle of the first branch of each face, in radians
 \param matching_map holds the matching \f$ p_{ij} \f$ of `orthogonal_frame_field()`
-\param index_map gets \f$ 4 I \f$ of the sector that contains the corner at the target of a halfedge; 0 on border halfedges
+\param index_map gets \f$ 4 I \f$ of the sector that contains the corner at the target of a halfedge; 0 on border
+       halfedges
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

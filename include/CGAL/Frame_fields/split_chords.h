@@ -31,8 +31,8 @@ namespace Frame_fields {
 /*!
 \ingroup PkgFrame_fieldsRef
 
-splits each chord, that is, each unconstrained edge that joins two vertices on constrained edges, at its midpoint, and its
-two triangles with it. Thin strips of triangles between two constrained curves then have vertices inside, which can
+splits each chord, that is, each unconstrained edge that joins two vertices on constrained edges, at its midpoint, and
+its two triangles with it. Thin strips of triangles between two constrained curves then have vertices inside, which can
 take the singularities that the sharp corners give up.
 
 The surface does not change.

@@ -15,7 +15,6 @@
 #include <CGAL/Frame_fields/internal/Editable_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -97,7 +96,8 @@ std::size_t split_overconstrained_faces(TriangleMesh& tm,
 
   const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
   mesh.check_triangles("split_overconstrained_faces");
-  std::vector<halfedge_descriptor> overconstrained; // one halfedge of each face, kept apart from the changing face range
+  // One halfedge of each face, kept apart from the changing face range.
+  std::vector<halfedge_descriptor> overconstrained;
   for(const auto f : faces(tm))
   {
     const halfedge_descriptor h = halfedge(f, tm);

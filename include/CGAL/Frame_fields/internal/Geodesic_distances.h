@@ -74,7 +74,8 @@ public:
         continue;
       if(m_number_of_visits[local(sector)]++ == 0 && !visit(sector, d))
         return;
-      for_each_corner(m_surface.opposite, m_surface.first_corner[sector], [this](const int corner) { advance(corner); });
+      for_each_corner(m_surface.opposite, m_surface.first_corner[sector],
+                      [this](const int corner) { advance(corner); });
     }
   }
 

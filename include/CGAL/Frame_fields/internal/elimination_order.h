@@ -30,11 +30,13 @@ template <typename SolverTraits, typename = void>
 struct Chooses_elimination_order : std::false_type {};
 
 template <typename SolverTraits>
-struct Chooses_elimination_order<SolverTraits, std::void_t<decltype(std::declval<const SolverTraits&>().elimination_order(
-                                                 std::declval<const Hermitian_matrix<float>&>()))> > : std::true_type {};
+struct Chooses_elimination_order<
+  SolverTraits,
+  std::void_t<decltype(std::declval<const SolverTraits&>().elimination_order(
+    std::declval<const Hermitian_matrix<float>&>()))> > : std::true_type {};
 
-// The numbers from 0 to `size` - 1 in the order in which unknowns should be eliminated, the natural one if the solvers find
-// their own. `emit(add)` must call `add(i, j, 1)` once or more for each two neighbors.
+// The numbers from 0 to `size` - 1 in the order in which unknowns should be eliminated, the natural one if the solvers
+// find their own. `emit(add)` must call `add(i, j, 1)` once or more for each two neighbors.
 template <typename SolverTraits, typename Emit>
 std::vector<int> elimination_order(const int size, const Emit& emit, const SolverTraits& solver_traits)
 {

@@ -229,7 +229,8 @@ Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, c
     if(!surface.is_aligned(f) || is_along(surface.alignment[f] - alpha[f]))
       continue;
     if(!is_along(surface.alignment[f] - alpha[f] - CGAL_PI / 2 - rho[f]))
-      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge or the fixed direction of " + cut_mesh.description_of_face(f));
+      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge or the fixed direction of "
+                                        + cut_mesh.description_of_face(f));
     alpha[f] += rho[f];
   }
   return {};

@@ -20,7 +20,6 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -44,12 +43,12 @@ inline bool is_unnatural_corner(const Cut_surface& surface, const std::vector<in
   return is_sharp_corner(surface, sector, bound) && index[sector] != natural_index(surface, sector);
 }
 
-// Changes the matching of one patch such that singularities leave the sectors where they must not be, each along the path
-// that costs least in sum w (r - omega)^2 for the given alpha.
+// Changes the matching of one patch such that singularities leave the sectors where they must not be, each along the
+// path that costs least in sum w (r - omega)^2 for the given alpha.
 //
-// Lowering p_ij by one moves an index of 1/4 from the sector at one end of the edge to the sector at its other end. Moving
-// indices is therefore a flow on the graph of sectors and edges, and its cost is convex on each edge. Potentials keep all
-// arc lengths non-negative, so that Dijkstra's algorithm finds each shortest path. Each path moves 1/4.
+// Lowering p_ij by one moves an index of 1/4 from the sector at one end of the edge to the sector at its other end.
+// Moving indices is therefore a flow on the graph of sectors and edges, and its cost is convex on each edge. Potentials
+// keep all arc lengths non-negative, so that Dijkstra's algorithm finds each shortest path. Each path moves 1/4.
 class Meshable_matching
 {
 public:

@@ -113,8 +113,8 @@ public:
     return result;
   }
 
-  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern that a
-  // mesh could share, the same for a face whatever its unknown's number is.
+  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern
+  // that a mesh could share, the same for a face whatever its unknown's number is.
   std::vector<Complex> start_vector() const
   {
     std::mt19937 generator;
@@ -144,8 +144,8 @@ private:
   bool m_is_anchored = false;
 };
 
-// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of unit
-// norm.
+// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of
+// unit norm.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const SolverTraits& solver_traits,

@@ -21,6 +21,8 @@
 #include <CGAL/Frame_fields/internal/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <numeric>
 #include <vector>
 
@@ -55,7 +57,8 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
 }
 
 // Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
-// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation holds as well.
+// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation
+// holds as well.
 template <typename SolverTraits>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
                          const SolverTraits& solver_traits, std::vector<double>& omega)

@@ -31,7 +31,8 @@ namespace Frame_fields {
 namespace internal {
 
 // The angle of branch pair b (0 or 1) in its face.
-inline double branch_angle(const std::vector<double>& alpha, const std::vector<double>& rho, const int face, const int b)
+inline double branch_angle(const std::vector<double>& alpha, const std::vector<double>& rho, const int face,
+                           const int b)
 {
   return b == 0 ? alpha[face] : alpha[face] + CGAL_PI / 2 + rho[face];
 }

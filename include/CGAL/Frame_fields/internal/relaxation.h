@@ -55,9 +55,9 @@ inline int aligned_branch(const Cut_surface& surface, const int face, const doub
 // The branch of face j that branch `b` of face i goes to.
 inline int matched_branch(const int b, const int matching) { return b ^ (matching & 1); }
 
-// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it is
-// area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of the
-// squared gradients, since an edge between equilateral triangles has weight 1.
+// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it
+// is area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of
+// the squared gradients, since an edge between equilateral triangles has weight 1.
 class Orthogonality
 {
 public:

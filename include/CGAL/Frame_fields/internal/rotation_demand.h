@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -202,6 +203,7 @@ inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const 
 inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
 {
   std::vector<Receiver> result;
+  result.reserve(sectors.size());
   for(const int sector : sectors)
     result.push_back({ sector, 1. / static_cast<double>(sectors.size()) });
   return result;
