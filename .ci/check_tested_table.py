@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""check_tested_table.py MANUAL REPORT...: makes a table of mesh types and kernels by combinations from the JSON reports of
-test_mesh_matrix, prints it, and fails if it is not what the manual has."""
+"""check_tested_table.py MANUAL REPORT...: makes a table of mesh types and kernels by combinations from the JSON
+reports of test_mesh_matrix, prints it, and fails if it is not what the manual has."""
 
 import collections
 import json

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Reads the sources of a compile_commands.json again, without writing anything, and fails if there is a warning. Sources whose
-path matches the second argument, a regular expression, are left out."""
+"""Reads the sources of a compile_commands.json again, without writing anything, and fails if there is a warning.
+Sources whose path matches the second argument, a regular expression, are left out."""
 
 import concurrent.futures
 import json

@@ -1,6 +1,6 @@
 #!/bin/sh
-# fetch_packages.sh FOLDER: unpacks CGAL, Eigen and AMGCL of later Debian suites, which are header-only, into FOLDER. They
-# come from the mirror that this machine is configured for, past its own package lists. What is there is kept.
+# fetch_packages.sh FOLDER: unpacks CGAL, Eigen and AMGCL of later Debian suites, which are header-only, into FOLDER.
+# They come from the mirror that this machine is configured for, past its own package lists. What is there is kept.
 set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)

@@ -297,7 +297,7 @@ class Vertex_field:
         return result
 
 
-# ---------------------------------------------------------------------------------------------- the power field on faces
+# --------------------------------------------------------------------------------------------- the power field on faces
 
 def neighbors_in_rings(mesh, number_of_rings):
     n = len(mesh.points)

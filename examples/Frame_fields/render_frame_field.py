@@ -6,8 +6,8 @@
     xvfb-run -a /usr/bin/python3 render_frame_field.py FIELD.vtp OUT.png --focus-sharpest
 
 Needs Debian's python3-vtk9 and python3-numpy, and xvfb where there is no display. z is up. The second
-viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest. The field is drawn as
-streamlines if the file has some (cad_frame_field --streamlines), and as crosses otherwise.
+viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest. The field is drawn
+as streamlines if the file has some (cad_frame_field --streamlines), and as crosses otherwise.
 """
 
 import argparse
@@ -371,7 +371,8 @@ def swatch(x, y, size, colour):
 
 def add_legend(renderer, field, size):
     kind = "streamlines" if any(field.streamlines) else "crosses"
-    entries = [("feature edge", FEATURE), (f"{kind}, branches \u00b1u", BRANCH_U), (f"{kind}, branches \u00b1v", BRANCH_V)]
+    entries = [("feature edge", FEATURE),
+               (f"{kind}, branches \u00b1u", BRANCH_U), (f"{kind}, branches \u00b1v", BRANCH_V)]
     entries += [(f"{label}: {len(positions)}", colour) for label, colour, _, positions in vert_groups(field)]
     for line, (label, colour) in enumerate(reversed(entries)):
         y = size * (1 + 1.6 * line)

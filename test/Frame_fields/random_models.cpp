@@ -141,7 +141,8 @@ private:
     {
       const double angle = apex_angle * ((k + m_random.number(-0.3, 0.3)) / (number_of_points + 1) - 0.5);
       const double c = distance * std::cos(angle), s = distance * std::sin(angle);
-      m_inner_points.emplace_back(apex.x() + c * inward.x() - s * inward.y(), apex.y() + s * inward.x() + c * inward.y());
+      m_inner_points.emplace_back(apex.x() + c * inward.x() - s * inward.y(),
+                                  apex.y() + s * inward.x() + c * inward.y());
     }
   }
 

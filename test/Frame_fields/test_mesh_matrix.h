@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-// What holds on every type of mesh and for every kernel. A source file for each kind of mesh instantiates the tests; the
-// types are named mesh_of_kernel, from which the table of the manual is made.
+// What holds on every type of mesh and for every kernel. A source file for each kind of mesh instantiates the tests;
+// the types are named mesh_of_kernel, from which the table of the manual is made.
 namespace test {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel EPICK;

@@ -406,8 +406,8 @@ class Usage(ProgramTest):
                        "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
                        "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
                        "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp",
-                       "--field", "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose", "--help",
-                       "--version", "Exit codes"):
+                       "--field", "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose",
+                       "--help", "--version", "Exit codes"):
             with self.subTest(option):
                 self.assertIn(option, text)
                 self.assertIn(option.lower(), manual.lower())

@@ -110,7 +110,8 @@ TYPED_TEST(Quality, rotations_turn_branches_into_the_matched_ones)
     ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index, np));
     const auto rotations = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2> >(), mesh);
     FF::Field_quality quality;
-    ASSERT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, np.rotation_map(rotations)));
+    ASSERT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality,
+                                        np.rotation_map(rotations)));
 
     const auto angle_to_edge = [&](const Halfedge h, const Halfedge edge, const int branch)
     {
@@ -211,8 +212,8 @@ TYPED_TEST(Quality, radius_bounds_the_support)
   }
 }
 
-// The receivers' parts are integrals over the ball, so that their center is that of the circular sector, up to the square
-// of the edge length, wherever the rim cuts the triangles.
+// The receivers' parts are integrals over the ball, so that their center is that of the circular sector, up to the
+// square of the edge length, wherever the rim cuts the triangles.
 TYPED_TEST(Quality, radius_takes_evenly_from_the_ball)
 {
   const double angle = 20, edge_length = 0.04;

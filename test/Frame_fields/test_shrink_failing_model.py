@@ -22,7 +22,8 @@ ARTIFICIAL_CHECKER = f"""
     model = shrinker.read_model(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
     def count(elements, *point):
         return sum(any(tuple(map(float, model.points[p])) == point for p in element) for element in elements)
-    fails = count(model.faces, 2, 3, 0) >= 2 and count(model.faces, 5, 0, 0) >= 1 and count(model.features, 2, 3, 0) >= 1
+    fails = (count(model.faces, 2, 3, 0) >= 2 and count(model.faces, 5, 0, 0) >= 1
+             and count(model.features, 2, 3, 0) >= 1)
     sys.exit(3 if fails else 1 if len(model.faces) % 2 else 0)
 """
 

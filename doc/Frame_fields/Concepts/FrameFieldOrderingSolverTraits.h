@@ -2,14 +2,14 @@
 \ingroup PkgFrame_fieldsConcepts
 \cgalConcept
 
-The concept `FrameFieldOrderingSolverTraits` refines `FrameFieldSolverTraits` for solvers that eliminate the unknowns in the
-order of their numbers: it tells in which order that should be.
+The concept `FrameFieldOrderingSolverTraits` refines `FrameFieldSolverTraits` for solvers that eliminate the unknowns in
+the order of their numbers: it tells in which order that should be.
 
 The unknowns of each system are numbered in the order that `elimination_order()` returns. It is called up to three times
-for each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, for that of the
-faces that are not aligned, which the orthogonal field needs, and for that of all faces, whose order the relaxation takes for
-its two unknowns a face. With a model of `FrameFieldSolverTraits` alone, unknowns are numbered in the order of the mesh, and
-solvers find their own order.
+for each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, for that
+of the faces that are not aligned, which the orthogonal field needs, and for that of all faces, whose order the
+relaxation takes for its two unknowns a face. With a model of `FrameFieldSolverTraits` alone, unknowns are numbered in
+the order of the mesh, and solvers find their own order.
 
 \cgalRefines{FrameFieldSolverTraits}
 
@@ -24,9 +24,9 @@ class FrameFieldOrderingSolverTraits
 public:
 
 /*!
-returns the numbers from 0 to `pattern.size() - 1` in the order in which the rows of a matrix with the entries of `pattern`
-should be eliminated; the values of `pattern` have no meaning. If `Has_independent_solvers` is `CGAL::Tag_true`, it may be
-called at the same time in different threads.
+returns the numbers from 0 to `pattern.size() - 1` in the order in which the rows of a matrix with the entries of
+`pattern` should be eliminated; the values of `pattern` have no meaning. If `Has_independent_solvers` is
+`CGAL::Tag_true`, it may be called at the same time in different threads.
 */
 std::vector<int> elimination_order(const CGAL::Frame_fields::Hermitian_matrix<float>& pattern) const;
 

@@ -85,8 +85,8 @@ measures a frame field, so that fields can be compared.
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `std::array<double, 2>`
                    as value type}
     \cgalParamDefault{it is not written}
-    \cgalParamExtra{The opposite halfedge gets the opposite numbers, in exchanged order where \f$ p_{ij} \f$ is odd. Both
-                    are equal in an orthogonal field, and 0 on constrained edges. Written on success only.}
+    \cgalParamExtra{The opposite halfedge gets the opposite numbers, in exchanged order where \f$ p_{ij} \f$ is odd.
+                    Both are equal in an orthogonal field, and 0 on constrained edges. Written on success only.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

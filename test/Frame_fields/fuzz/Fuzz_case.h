@@ -39,8 +39,8 @@ struct Fuzz_parameters
 
 Fuzz_parameters read_parameters(Byte_reader& bytes);
 
-// A mesh without coordinates yet: the points are (i, 0, 0) for the i-th one. A soup that is no oriented manifold mesh is
-// repaired by CGAL's functions for polygon soups, which may remove triangles and duplicate points.
+// A mesh without coordinates yet: the points are (i, 0, 0) for the i-th one. A soup that is no oriented manifold mesh
+// is repaired by CGAL's functions for polygon soups, which may remove triangles and duplicate points.
 Model read_combinatorics(Byte_reader& bytes, std::size_t number_of_points);
 
 std::vector<Point> read_points(Byte_reader& bytes);

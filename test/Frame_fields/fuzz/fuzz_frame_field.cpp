@@ -1,5 +1,5 @@
-// A target for libFuzzer: bytes become parameters, a mesh and its feature edges, on which all public functions are called.
-// What breaks the contract of one of them ends the program.
+// A target for libFuzzer: bytes become parameters, a mesh and its feature edges, on which all public functions are
+// called. What breaks the contract of one of them ends the program.
 
 #include "Fuzz_case.h"
 

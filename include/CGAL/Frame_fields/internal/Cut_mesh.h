@@ -145,8 +145,8 @@ public:
 
   Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(get(m_points, v), m_traits); }
 
-  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has no
-  // length or the vector is not finite.
+  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has
+  // no length or the vector is not finite.
   template <typename Vector_3>
   double angle_in_face(const face_descriptor f, const Vector_3& vector) const
   {

@@ -258,8 +258,8 @@ inline double area(const Cut_surface& surface, const int face)
   return surface.length[h] * surface.length[h + 1] * std::sin(surface.angle[h]) / 2;
 }
 
-// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the faces
-// is an integral, as it is for the relaxation.
+// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the
+// faces is an integral, as it is for the relaxation.
 inline double guide_weight(const Cut_surface& surface, const int face)
 {
   if(surface.guide_weight.empty() || surface.guide_weight[face] == 0)

@@ -53,8 +53,8 @@ std::vector<int> elimination_order(const int size, const Emit& emit, const Solve
 // The faces of a patch in the order in which a system with one or more unknowns in each face of which `has_unknown` is
 // true should number them; the other faces come anywhere.
 template <typename HasUnknown, typename SolverTraits>
-std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Patch& patch, const HasUnknown& has_unknown,
-                                            const SolverTraits& solver_traits)
+std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Patch& patch,
+                                            const HasUnknown& has_unknown, const SolverTraits& solver_traits)
 {
   const int first = patch.faces.begin_index;
   const auto emit = [&](const auto& add)

@@ -25,8 +25,10 @@ CGAL_add_named_parameter(prescribed_rotation_t, prescribed_rotation, prescribed_
 CGAL_add_named_parameter(matching_t, matching, matching_map)
 CGAL_add_named_parameter(skewness_t, skewness, skewness_map)
 CGAL_add_named_parameter(sharp_corner_output_iterator_t, sharp_corner_output_iterator, sharp_corner_output_iterator)
-CGAL_add_named_parameter(repaired_sector_output_iterator_t, repaired_sector_output_iterator, repaired_sector_output_iterator)
-CGAL_add_named_parameter(unmeshable_sector_output_iterator_t, unmeshable_sector_output_iterator, unmeshable_sector_output_iterator)
+CGAL_add_named_parameter(repaired_sector_output_iterator_t, repaired_sector_output_iterator,
+                         repaired_sector_output_iterator)
+CGAL_add_named_parameter(unmeshable_sector_output_iterator_t, unmeshable_sector_output_iterator,
+                         unmeshable_sector_output_iterator)
 CGAL_add_named_parameter(halfedge_rotation_t, halfedge_rotation, rotation_map)
 CGAL_add_named_parameter(statistics_t, statistics, statistics)
 CGAL_add_named_parameter(concurrency_t, concurrency, concurrency_tag)

@@ -101,8 +101,8 @@ private:
 //
 // The variables are s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
 //   2 (r0^2 + r1^2) = (2 r - s_i + s_j)^2 + (d_i - sigma d_j)^2,
-// so the sums and the differences do not meet but in guided faces and in aligned ones, where gamma0 or gamma1 is 0. That
-// leaves the factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
+// so the sums and the differences do not meet but in guided faces and in aligned ones, where gamma0 or gamma1 is 0.
+// That leaves the factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
 class Relaxation_system
 {
 public:
@@ -195,8 +195,8 @@ private:
     return variable.unknown < 0 ? 0 : variable.sign * solution[variable.unknown];
   }
 
-  // Calls `visit(face, s, d)` for the faces with soft guiding directions, where (s + d) / 2 is the rotation of the branch
-  // pair that the direction pulls at.
+  // Calls `visit(face, s, d)` for the faces with soft guiding directions, where (s + d) / 2 is the rotation of the
+  // branch pair that the direction pulls at.
   template <typename Visit>
   void for_each_guided_face(const Visit& visit) const
   {
@@ -320,7 +320,8 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
                          const std::vector<int>& matching, const Options& options, const SolverTraits& solver_traits,
                          std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
 {
-  const Relaxation_system system(surface, patch, alpha, matching, Orthogonality(surface, patch, options), solver_traits);
+  const Orthogonality orthogonality(surface, patch, options);
+  const Relaxation_system system(surface, patch, alpha, matching, orthogonality, solver_traits);
   auto solver = solver_traits.real_solver_object();
   std::vector<double> solution;
   if(!factor_and_solve(solver, system.matrix(), system.right_hand_side(), solution))
