@@ -6,8 +6,8 @@
     xvfb-run -a /usr/bin/python3 render_frame_field.py FIELD.vtp OUT.png --focus-sharpest
 
 Needs Debian's python3-vtk9 and python3-numpy, and xvfb where there is no display. z is up. The second
-viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest. The field is drawn
-as streamlines if the file has some (cad_frame_field --streamlines), and as crosses otherwise.
+viewport shows a close-up of a place given by --focus, or of a sharp corner chosen by --focus-sharpest. The
+field is drawn as streamlines if the file has some (cad_frame_field --streamlines), and as crosses otherwise.
 """
 
 import argparse
