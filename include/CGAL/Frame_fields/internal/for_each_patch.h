@@ -31,8 +31,9 @@ inline std::vector<int> patches_by_decreasing_size(const Cut_surface& surface)
 {
   std::vector<int> numbers(surface.patches.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  std::stable_sort(numbers.begin(), numbers.end(), [&](const int a, const int b)
-                   { return surface.patches[a].faces.size() > surface.patches[b].faces.size(); });
+  const auto size = [&](const int patch) { return surface.patches[patch].faces.size(); };
+  std::sort(numbers.begin(), numbers.end(), [&](const int a, const int b)
+            { return size(a) > size(b) || (size(a) == size(b) && a < b); });
   return numbers;
 }
 
