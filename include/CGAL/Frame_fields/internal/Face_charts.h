@@ -129,7 +129,8 @@ public:
 
   double area(const int face) const
   {
-    return length(3 * face) * length(3 * face + 1) * std::sin(m_surface.angle[3 * face]) / 2;
+    const int h = 3 * face;
+    return length(h) * length(h + 1) * std::sin(m_surface.angle[h]) / 2;
   }
 
 private:

@@ -123,7 +123,7 @@ inline void join_dangling_ends(Feature_graph& graph)
       continue;
     const double turn = (std::max)(turn_at(ends[0], e), turn_at(ends[1], e));
     if(turn < CGAL_PI / 2)
-      gaps.push_back({ turn, e });
+      gaps.emplace_back(turn, e);
   }
   std::sort(gaps.begin(), gaps.end());
 

@@ -59,7 +59,7 @@ inline bool has_index_targets(const Cut_surface& surface, const Patch& patch)
 // What the targets of a patch lack to 4 times its Euler characteristic.
 inline long long missing_index(const Cut_surface& surface, const Patch& patch)
 {
-  long long missing = 4 * euler_characteristic(patch);
+  long long missing = 4LL * euler_characteristic(patch);
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
     missing -= target_of_sector(surface, s);
   return missing;
