@@ -143,17 +143,19 @@ class Topology : public On_models {};
 
 TEST_P(Topology, is_the_same_for_all_solvers)
 {
-  if(GetParam().name == "patches_touching_in_a_vertex")
-    GTEST_SKIP() << "z vanishes in two faces of this model, so that rounding errors decide there";
+  // z vanishes in two faces of this model, so that rounding errors decide there: any valid field will do.
+  const bool is_determined = GetParam().name != "patches_touching_in_a_vertex";
   const Cad_mesh<Surface_mesh> cad_mesh(GetParam().make());
+  const Cut cut = cad_mesh.cut();
   const std::vector<int> expected = frame_field(cad_mesh).index;
   const auto expect_same = [&](const auto& solver_traits)
   {
-    const Maps<Surface_mesh> maps(cad_mesh.mesh);
-    const FF::Result result = FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
-                                                  cad_mesh.features().sparse_linear_solver(solver_traits));
-    ASSERT_EQ(FF::OK, result.error_code) << result.message;
-    EXPECT_EQ(expected, to_field(cad_mesh, maps).index);
+    const Field field = frame_field(cad_mesh, parameters::sparse_linear_solver(solver_traits));
+    expect_valid_field(cut, field);
+    if(is_determined)
+    {
+      EXPECT_EQ(expected, field.index);
+    }
   };
 #ifdef CGAL_CHOLMOD_ENABLED
   {
