@@ -83,4 +83,44 @@ TYPED_TEST(Covariance, under_orientation_reversal)
   }
 }
 
+// An equilateral triangle whose faces are those of a grid, so that z is 0 in the middle: a third of a turn takes the
+// faces and the border to themselves, but z to z exp(4i 2 pi / 3). The vertices inside are moved to break the symmetry.
+Model triangle_with_vanishing_value()
+{
+  const int n = 5;
+  Model result;
+  std::vector<std::vector<std::size_t> > number(n + 1);
+  CGAL::Random random(1);
+  for(int row = 0; row <= n; ++row)
+    for(int column = 0; column <= n - row; ++column)
+    {
+      number[row].push_back(result.points.size());
+      const double size = row == 0 || column == 0 || row + column == n ? 0 : 0.2;
+      result.points.emplace_back(column + row / 2. + size * random.get_double(-1, 1),
+                                 row * std::sqrt(0.75) + size * random.get_double(-1, 1), 0);
+    }
+  for(int row = 0; row < n; ++row)
+    for(int column = 0; column < n - row; ++column)
+    {
+      result.triangles.push_back({ number[row][column], number[row][column + 1], number[row + 1][column] });
+      if(column > 0)
+        result.triangles.push_back({ number[row][column], number[row + 1][column], number[row + 1][column - 1] });
+    }
+  return Cad_mesh<Surface_mesh>(result).model();
+}
+
+TYPED_TEST(Covariance, where_the_values_around_a_face_cancel_out)
+{
+  const Model model = triangle_with_vanishing_value();
+  const Framed_mesh before{ Cad_mesh<TypeParam>(model) };
+  for(int seed = 1; seed <= 10; ++seed)
+  {
+    const std::vector<std::size_t> new_face = random_permutation(model.triangles.size(), seed);
+    const Transformation turn(std::cos(seed), -std::sin(seed), 0, 3, std::sin(seed), std::cos(seed), 0, -5, 0, 0, 1, 2);
+    const Model moved = transformed(renumbered(model, random_permutation(model.points.size(), seed), new_face),
+                                    [&](const Point& p) { return turn.transform(p); });
+    expect_moved(before, Framed_mesh(Cad_mesh<TypeParam>(moved)), new_face, turn);
+  }
+}
+
 } // namespace

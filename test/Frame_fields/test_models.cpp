@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/point_generators_3.h>
 
@@ -30,11 +31,11 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Planar_kernel;
-typedef CGAL::Triangulation_vertex_base_2<Planar_kernel> Vertex_base;
-typedef CGAL::Delaunay_mesh_face_base_2<Planar_kernel> Face_base;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact_predicates;
+typedef CGAL::Triangulation_vertex_base_2<Exact_predicates> Vertex_base;
+typedef CGAL::Delaunay_mesh_face_base_2<Exact_predicates> Face_base;
 typedef CGAL::Triangulation_data_structure_2<Vertex_base, Face_base> Triangulation_structure;
-typedef CGAL::Constrained_Delaunay_triangulation_2<Planar_kernel, Triangulation_structure> Triangulation;
+typedef CGAL::Constrained_Delaunay_triangulation_2<Exact_predicates, Triangulation_structure> Triangulation;
 typedef CGAL::Delaunay_mesh_size_criteria_2<Triangulation> Size_criteria;
 typedef CGAL::Surface_mesh<Point> Mesh;
 
@@ -42,13 +43,13 @@ constexpr double turn = 360 * degree;
 
 void insert(const Polyline& polyline, const bool is_closed, Triangulation& triangulation)
 {
-  std::vector<Planar_kernel::Point_2> points;
+  std::vector<Exact_predicates::Point_2> points;
   for(const auto& [x, y] : polyline)
     points.emplace_back(x, y);
   triangulation.insert_constraint(points.begin(), points.end(), is_closed);
 }
 
-Planar_kernel::Point_2 inside(const Polyline& hole)
+Exact_predicates::Point_2 inside(const Polyline& hole)
 {
   double x = 0, y = 0;
   for(const auto& point : hole)
@@ -88,7 +89,7 @@ Model planar(const Polyline& polygon, const double size, const std::vector<Polyl
   insert(polygon, true, triangulation);
   for(const Polyline& feature : features)
     insert(feature, false, triangulation);
-  std::vector<Planar_kernel::Point_2> seeds;
+  std::vector<Exact_predicates::Point_2> seeds;
   for(const Polyline& hole : holes)
   {
     insert(hole, true, triangulation);
@@ -224,12 +225,34 @@ Model torus()
   });
 }
 
+Model with_sorted_elements(const Model& model)
+{
+  Model result = model;
+  std::sort(result.points.begin(), result.points.end());
+  const auto number = [&](const std::size_t p)
+  {
+    return std::lower_bound(result.points.begin(), result.points.end(), model.points[p]) - result.points.begin();
+  };
+  for(Triangle& triangle : result.triangles)
+  {
+    std::transform(triangle.begin(), triangle.end(), triangle.begin(), number);
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+  return result;
+}
+
+// With rounded predicates the hull may crash, and the order of its vertices and faces varies from run to run.
 Model convex_hull(const std::vector<Point>& points)
 {
-  CGAL::get_default_random() = CGAL::Random(0); // the order of the hull's faces depends on it
-  Mesh hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return to_model(hull);
+  std::vector<Exact_predicates::Point_3> exact_points;
+  for(const Point& p : points)
+    exact_points.emplace_back(p.x(), p.y(), p.z());
+  CGAL::Surface_mesh<Exact_predicates::Point_3> hull;
+  CGAL::convex_hull_3(exact_points.begin(), exact_points.end(), hull);
+  Mesh result;
+  CGAL::copy_face_graph(hull, result);
+  return with_sorted_elements(to_model(result));
 }
 
 Model sphere()

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/elimination_order.h>
 #include <CGAL/Frame_fields/internal/smallest_eigenvector.h>
 #include <CGAL/Frame_fields/internal/solve.h>
+#include <CGAL/Frame_fields/internal/vanishing_values.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -29,8 +30,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-typedef std::complex<double> Complex;
 
 // The angle of the branch that an aligned face must have, up to quarter turns.
 inline double aligned_alpha(const Cut_surface& surface, const int face)
@@ -68,6 +67,9 @@ public:
 
   // The number of the unknown of a face, -1 if the face is aligned.
   int unknown(const int face) const { return m_unknown[face - m_patch.faces.begin_index]; }
+
+  // The factor that carries the value of face j of a dual edge over to face i.
+  const Complex& transport(const int e) const { return m_transport[e - m_patch.dual_edges.begin_index]; }
 
   Hermitian_matrix<Complex> matrix() const
   {
@@ -129,8 +131,6 @@ public:
   }
 
 private:
-  const Complex& transport(const int e) const { return m_transport[e - m_patch.dual_edges.begin_index]; }
-
   Complex aligned_value(const int face) const
   {
     return std::polar(1., 4 * aligned_alpha(m_surface, face));
@@ -160,6 +160,7 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
   if(!is_solved)
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
+  Field_without_zeros<Orthogonal_field_system>(surface, patch, system, z).replace_vanishing_values();
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
     alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)
                                      : std::arg(z[system.unknown(f)]) / 4;
