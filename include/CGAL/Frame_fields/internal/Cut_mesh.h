@@ -126,7 +126,7 @@ public:
       for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
       {
         visit(h, static_cast<int>(3 * f) + k);
-        if(is_border(opposite(h, m_mesh), m_mesh))
+        if(m_surface.is_constrained(static_cast<int>(3 * f) + k) && is_border(opposite(h, m_mesh), m_mesh))
           visit(opposite(h, m_mesh), -1);
       }
     }
@@ -209,13 +209,19 @@ private:
 
   void sort_by_patches()
   {
-    std::vector<int> opposite_number(3 * m_faces.size(), -1);
+    const int unknown = -2;
+    std::vector<int> opposite_number(3 * m_faces.size(), unknown);
     for(std::size_t f = 0; f < m_faces.size(); ++f)
     {
       halfedge_descriptor h = halfedge(m_faces[f], m_mesh);
-      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
-        if(!is_constrained(h))
-          opposite_number[3 * f + k] = number_of(opposite(h, m_mesh));
+      for(std::size_t i = 3 * f; i < 3 * f + 3; ++i, h = next(h, m_mesh))
+      {
+        if(opposite_number[i] != unknown) // seen from the other side
+          continue;
+        opposite_number[i] = is_constrained(h) ? -1 : number_of(opposite(h, m_mesh));
+        if(opposite_number[i] >= 0)
+          opposite_number[opposite_number[i]] = static_cast<int>(i);
+      }
     }
     std::vector<int> patch_of_face;
     const int number_of_patches = number_patches(opposite_number, patch_of_face);
@@ -249,6 +255,7 @@ private:
     if(measures_lengths)
       m_surface.length_unit = length_unit();
     m_surface.angle.reserve(3 * m_faces.size());
+    m_surface.length.reserve(measures_lengths ? 3 * m_faces.size() : 0);
     for(const face_descriptor f : m_faces)
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -209,6 +210,34 @@ inline std::vector<int> reorder_opposites(const std::vector<int>& opposite, cons
   return result;
 }
 
+// Numbers the corners of the sector of `corner` and adds up their angles.
+inline void add_sector(Cut_surface& surface, const int corner)
+{
+  const auto add_from = [&](const int first_corner)
+  {
+    double total_angle = 0;
+    int last_corner = first_corner;
+    for_each_corner(surface.opposite, first_corner, [&](const int c)
+    {
+      surface.sector[c] = surface.number_of_sectors();
+      total_angle += surface.angle[c];
+      last_corner = c;
+    });
+    const bool is_closed = !surface.is_constrained(last_corner);
+    return std::make_pair(is_closed, total_angle);
+  };
+  // Most sectors are closed: only for the others it pays to look for the clockwise-most corner.
+  int first_corner = corner;
+  auto [is_closed, total_angle] = add_from(corner);
+  if(!is_closed)
+  {
+    first_corner = clockwise_most_corner(surface.opposite, corner);
+    total_angle = add_from(first_corner).second;
+  }
+  surface.first_corner.push_back(first_corner);
+  surface.total_angle.push_back(total_angle);
+}
+
 inline void collect_sectors(Cut_surface& surface)
 {
   surface.sector.assign(surface.angle.size(), -1);
@@ -216,19 +245,8 @@ inline void collect_sectors(Cut_surface& surface)
   {
     patch.sectors.begin_index = surface.number_of_sectors();
     for(int halfedge = 3 * patch.faces.begin_index; halfedge < 3 * patch.faces.end_index; ++halfedge)
-    {
-      if(surface.sector[halfedge] >= 0)
-        continue;
-      const int first_corner = clockwise_most_corner(surface.opposite, halfedge);
-      double total_angle = 0;
-      for_each_corner(surface.opposite, first_corner, [&](const int corner)
-      {
-        surface.sector[corner] = surface.number_of_sectors();
-        total_angle += surface.angle[corner];
-      });
-      surface.first_corner.push_back(first_corner);
-      surface.total_angle.push_back(total_angle);
-    }
+      if(surface.sector[halfedge] < 0)
+        add_sector(surface, halfedge);
     patch.sectors.end_index = surface.number_of_sectors();
   }
 }
@@ -283,6 +301,13 @@ inline double patch_area(const Cut_surface& surface, const Patch& patch)
   return sum;
 }
 
+// c_ij between -pi and pi, so that c_ji = -c_ij and the matching can be used without the order of the faces here.
+inline double transport_across(const Cut_surface& surface, const int halfedge, const int opposite)
+{
+  const double angle = halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite); // between +-2 pi
+  return angle < 0 ? angle + CGAL_PI : angle - CGAL_PI;
+}
+
 inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weighting)
 {
   surface.edge_weighting = weighting;
@@ -295,9 +320,7 @@ inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weight
       if(opposite < halfedge)
         continue;
       surface.dual_edges.push_back({ halfedge, opposite });
-      // between -pi and pi, so that c_ji = -c_ij and the matching can be used without the order of the faces here
-      surface.transport.push_back(std::remainder(
-        halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite) - CGAL_PI, 2 * CGAL_PI));
+      surface.transport.push_back(transport_across(surface, halfedge, opposite));
       surface.weight.push_back(edge_weight(surface, surface.dual_edges.back(), weighting));
     }
     patch.dual_edges.end_index = surface.number_of_dual_edges();

@@ -114,8 +114,11 @@ Hermitian_matrix<Scalar> assemble(const int size, const Emit& emit)
   {
     const int begin = matrix.column_begin[j];
     const int kept = sort_and_merge_column(&matrix.row[begin], &matrix.value[begin], column_size[j]);
-    std::copy_n(matrix.row.begin() + begin, kept, matrix.row.begin() + end);
-    std::copy_n(matrix.value.begin() + begin, kept, matrix.value.begin() + end);
+    if(begin != end) // nothing moves until two entries have met
+    {
+      std::copy_n(matrix.row.begin() + begin, kept, matrix.row.begin() + end);
+      std::copy_n(matrix.value.begin() + begin, kept, matrix.value.begin() + end);
+    }
     matrix.column_begin[j] = end;
     end += kept;
   }

@@ -73,11 +73,35 @@ inline double angle_between(const Coordinates& u, const Coordinates& v)
   return std::atan2(length(cross(u, v)), dot(u, v)); // accurate near 0 and pi, where acos is not
 }
 
-// Returns the angles at `points` of a triangle without zero-length edge. They are those of an exact triangle: the
-// rounding error of their sum goes to the largest one, so that sums of turning angles close up around every vertex.
-inline std::array<double, 3> corner_angles(const std::array<Coordinates, 3>& points)
+// The two smaller angles of a triangle leave this for the largest one, so that the three have the sum pi as far as
+// rounding allows, and sums of turning angles close up around every vertex.
+inline double largest_angle(const double angle, const double other_angle)
 {
-  std::array<Coordinates, 3> edge; // edge[k] runs from points[k] to the next point
+  return (std::max)(0., CGAL_PI - (angle + other_angle));
+}
+
+// The angles at the points of a triangle from its edges, where edge[k] runs from point k to the next point and none is
+// so long or short that a product of four lengths overflows or underflows.
+inline std::array<double, 3> corner_angles_of_edges(const std::array<Coordinates, 3>& edge)
+{
+  const std::array<double, 3> squared_length{ dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2]) };
+  const int longest =
+    static_cast<int>(std::max_element(squared_length.begin(), squared_length.end()) - squared_length.begin());
+  const int second = (longest + 1) % 3, third = (longest + 2) % 3;
+  const Coordinates normal = cross(edge[second], edge[third]); // of the shorter edges: needles are accurate
+  const double squared_normal = dot(normal, normal), smallest = 0x1p-900;
+  const double twice_area = squared_normal > smallest ? std::sqrt(squared_normal) : length(normal);
+  std::array<double, 3> angle;
+  angle[longest] = std::atan2(twice_area, -dot(edge[longest], edge[third]));
+  angle[second] = std::atan2(twice_area, -dot(edge[second], edge[longest]));
+  angle[third] = largest_angle(angle[longest], angle[second]);
+  return angle;
+}
+
+// The same for edges that must be scaled.
+inline std::array<double, 3> corner_angles_with_scaling(const std::array<Coordinates, 3>& points)
+{
+  std::array<Coordinates, 3> edge;
   for(int k = 0; k < 3; ++k)
     edge[k] = scaled_direction(points[k], points[(k + 1) % 3]);
 
@@ -87,8 +111,27 @@ inline std::array<double, 3> corner_angles(const std::array<Coordinates, 3>& poi
     const Coordinates& incoming = edge[(k + 2) % 3];
     angle[k] = angle_between(edge[k], { -incoming[0], -incoming[1], -incoming[2] });
   }
-  *std::max_element(angle.begin(), angle.end()) += CGAL_PI - (angle[0] + angle[1] + angle[2]);
+  double& largest = *std::max_element(angle.begin(), angle.end());
+  largest += CGAL_PI - (angle[0] + angle[1] + angle[2]);
   return angle;
+}
+
+// Returns the angles at `points` of a triangle without zero-length edge. They are those of an exact triangle: the
+// rounding error of their sum goes to the largest one.
+inline std::array<double, 3> corner_angles(const std::array<Coordinates, 3>& points)
+{
+  const double smallest = 0x1p-200, largest = 0x1p200;
+  std::array<Coordinates, 3> edge;
+  for(int k = 0; k < 3; ++k)
+  {
+    const Coordinates& p = points[k];
+    const Coordinates& q = points[(k + 1) % 3];
+    edge[k] = { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
+    const double norm = maximum_norm(edge[k]);
+    if(!(norm >= smallest && norm <= largest))
+      return corner_angles_with_scaling(points);
+  }
+  return corner_angles_of_edges(edge);
 }
 
 } // namespace internal
