@@ -5,11 +5,10 @@
 The concept `FrameFieldOrderingSolverTraits` refines `FrameFieldSolverTraits` for solvers that eliminate the unknowns in
 the order of their numbers: it tells in which order that should be.
 
-The unknowns of each system are numbered in the order that `elimination_order()` returns. It is called up to three times
-for each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, for that
-of the faces that are not aligned, which the orthogonal field needs, and for that of all faces, whose order the
-relaxation takes for its two unknowns a face. With a model of `FrameFieldSolverTraits` alone, unknowns are numbered in
-the order of the mesh, and solvers find their own order.
+The unknowns of each system are numbered in the order that `elimination_order()` returns. It is called up to twice for
+each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, and for that of
+the faces, whose order serves the orthogonal field and the relaxation. With a model of `FrameFieldSolverTraits` alone,
+unknowns are numbered in the order of the mesh, and solvers find their own order.
 
 \cgalRefines{FrameFieldSolverTraits}
 

@@ -177,8 +177,10 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
     return result;
 
   std::vector<double> alpha;
+  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
   result = internal::to_result(cut_mesh, internal::compute_orthogonal_field<Concurrency_tag>(
-    cut_mesh.surface(), omega, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), alpha));
+    cut_mesh.surface(), omega, internal::order_faces<Concurrency_tag>(cut_mesh.surface(), solver_traits), solver_traits,
+    alpha));
   if(!result)
     return result;
 

@@ -200,8 +200,10 @@ Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
 
   std::vector<internal::Branch_rotations> gamma;
   int number_of_clamped_faces;
+  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
   result = internal::to_result(cut_mesh, internal::relax<Concurrency_tag>(
-    cut_mesh.surface(), alpha, matching, options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), gamma,
+    cut_mesh.surface(), alpha, matching, options,
+    internal::order_faces<Concurrency_tag>(cut_mesh.surface(), solver_traits), solver_traits, gamma,
     number_of_clamped_faces));
   if(result)
     internal::write_relaxed_field(cut_mesh, alpha, gamma, alpha_map, rho_map);

@@ -50,11 +50,10 @@ std::vector<int> elimination_order(const int size, const Emit& emit, const Solve
   return result;
 }
 
-// The faces of a patch in the order in which a system with one or more unknowns in each face of which `has_unknown` is
-// true should number them; the other faces come anywhere.
-template <typename HasUnknown, typename SolverTraits>
+// The faces of a patch in the order in which a system with unknowns in its faces should number them.
+template <typename SolverTraits>
 std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Patch& patch,
-                                            const HasUnknown& has_unknown, const SolverTraits& solver_traits)
+                                            const SolverTraits& solver_traits)
 {
   const int first = patch.faces.begin_index;
   const auto emit = [&](const auto& add)
@@ -62,7 +61,7 @@ std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Pa
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     {
       const int i = face_of(surface.dual_edges[e].halfedge), j = face_of(surface.dual_edges[e].opposite);
-      if(i != j && has_unknown(i) && has_unknown(j))
+      if(i != j)
         add(i - first, j - first, 1.f);
     }
   };

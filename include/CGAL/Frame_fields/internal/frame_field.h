@@ -110,7 +110,9 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return result;
 
   clock.start(ORTHOGONAL_FIELD);
-  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, solver_traits, field.alpha);
+  // One order for both the orthogonal field and the relaxation: to find it takes as long as a factorization.
+  const std::vector<int> face_order = order_faces<ConcurrencyTag>(surface, solver_traits);
+  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, face_order, solver_traits, field.alpha);
   if(result.error_code != OK)
     return result;
 
@@ -126,7 +128,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return {};
   }
   clock.start(RELAXATION);
-  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, solver_traits, field.gamma,
+  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, face_order, solver_traits, field.gamma,
                                field.number_of_clamped_faces);
 }
 

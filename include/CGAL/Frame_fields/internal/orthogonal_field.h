@@ -15,7 +15,6 @@
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/assemble.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
-#include <CGAL/Frame_fields/internal/elimination_order.h>
 #include <CGAL/Frame_fields/internal/smallest_eigenvector.h>
 #include <CGAL/Frame_fields/internal/solve.h>
 #include <CGAL/Frame_fields/internal/vanishing_values.h>
@@ -42,18 +41,18 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
 class Orthogonal_field_system
 {
 public:
-  template <typename SolverTraits>
+  // The unknowns are numbered in the order of the faces in `face_order`.
   Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
-                          const SolverTraits& solver_traits)
+                          const std::vector<int>& face_order)
     : m_surface(surface), m_patch(patch), m_unknown(patch.faces.size(), -1)
   {
     m_transport.reserve(patch.dual_edges.size());
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
       m_transport.push_back(std::polar(1., 4 * (surface.transport[e] - omega[e])));
-    const auto has_unknown = [&surface](const int face) { return !surface.is_aligned(face); };
-    for(const int f : elimination_order_of_faces(surface, patch, has_unknown, solver_traits))
+    for(int place = patch.faces.begin_index; place < patch.faces.end_index; ++place)
     {
-      if(has_unknown(f))
+      const int f = face_order[place];
+      if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
       if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
         m_is_anchored = true;
@@ -148,10 +147,10 @@ private:
 // unit norm.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
-                                       const std::vector<double>& omega, const SolverTraits& solver_traits,
-                                       std::vector<double>& alpha)
+                                       const std::vector<double>& omega, const std::vector<int>& face_order,
+                                       const SolverTraits& solver_traits, std::vector<double>& alpha)
 {
-  const Orthogonal_field_system system(surface, patch, omega, solver_traits);
+  const Orthogonal_field_system system(surface, patch, omega, face_order);
   auto solver = solver_traits.complex_solver_object();
   std::vector<Complex> z;
   const bool is_solved = system.is_anchored()

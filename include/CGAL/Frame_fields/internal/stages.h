@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/elimination_order.h>
 #include <CGAL/Frame_fields/internal/for_each_patch.h>
 #include <CGAL/Frame_fields/internal/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/meshable_matching.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Frame_fields/internal/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/relaxation.h>
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -44,14 +46,30 @@ Patch_result prescribe_rotation(const Cut_surface& surface, const Options& optio
   });
 }
 
+// The faces of the patches, one patch after the other, each in the order in which its systems should number them.
+template <typename ConcurrencyTag, typename SolverTraits>
+std::vector<int> order_faces(const Cut_surface& surface, const SolverTraits& solver_traits)
+{
+  std::vector<int> result(surface.number_of_faces());
+  for_each_patch<ConcurrencyTag>(surface, [&](const int number)
+  {
+    const Patch& patch = surface.patches[number];
+    const std::vector<int> faces = elimination_order_of_faces(surface, patch, solver_traits);
+    std::copy(faces.begin(), faces.end(), result.begin() + patch.faces.begin_index);
+    return Patch_result();
+  });
+  return result;
+}
+
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
-                                      const SolverTraits& solver_traits, std::vector<double>& alpha)
+                                      const std::vector<int>& face_order, const SolverTraits& solver_traits,
+                                      std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
   return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, solver_traits, alpha);
+    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, face_order, solver_traits, alpha);
   });
 }
 
@@ -96,14 +114,15 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
 
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
-                   const Options& options, const SolverTraits& solver_traits, std::vector<Branch_rotations>& gamma,
-                   int& number_of_clamped_faces)
+                   const Options& options, const std::vector<int>& face_order, const SolverTraits& solver_traits,
+                   std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
 {
   gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
   std::vector<int> clamped(surface.patches.size(), 0);
   const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return relax_patch(surface, surface.patches[patch], alpha, matching, options, solver_traits, gamma, clamped[patch]);
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options, face_order, solver_traits, gamma,
+                       clamped[patch]);
   });
   number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
   return result;
