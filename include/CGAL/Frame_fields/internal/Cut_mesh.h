@@ -15,6 +15,8 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/collect_dual_edges.h>
+#include <CGAL/Frame_fields/internal/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/corner_angles.h>
 #include <CGAL/Frame_fields/internal/face_basis.h>
 #include <CGAL/Frame_fields/internal/index_target.h>
@@ -25,7 +27,9 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/for_each.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -97,8 +101,8 @@ public:
       result = find_overconstrained_face();
     if(!result)
       return result;
-    collect_sectors(m_surface);
-    collect_dual_edges(m_surface, options.edge_weighting);
+    collect_sectors<Concurrency_tag>(m_surface);
+    collect_dual_edges<Concurrency_tag>(m_surface, options.edge_weighting);
     align_with_constrained_edges(m_surface);
     result = read_guidance();
     return result ? read_index_targets() : result;
@@ -171,6 +175,8 @@ private:
     internal::guiding_weight_t, NamedParameters, Unit_weight_map<face_descriptor> >::type Weight_map;
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     internal::index_target_t, NamedParameters, CGAL::internal_np::Param_not_found>::type Target_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    internal::concurrency_t, NamedParameters, CGAL::Sequential_tag>::type Concurrency_tag;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
   // The matrix of the relaxation has up to 6 entries for each face, numbered by `int`.
@@ -250,31 +256,61 @@ private:
     return { point[0] / unit, point[1] / unit, point[2] / unit };
   }
 
+  // The points of the corners of a face in the order of its halfedges.
+  typedef std::array<Coordinates, 3> Triangle_points;
+
+  // Sets the points of the face of a number.
+  Result read_points(const std::size_t number, Triangle_points& points) const
+  {
+    const face_descriptor f = m_faces[number];
+    const halfedge_descriptor h = halfedge(f, m_mesh);
+    points = { coordinates(target(h, m_mesh)), coordinates(target(next(h, m_mesh), m_mesh)),
+               coordinates(source(h, m_mesh)) };
+    for(const Coordinates& point : points)
+      if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+        return failure(ERROR_NON_FINITE_COORDINATE, description_of_face(f));
+    for(int k = 0; k < 3; ++k)
+      if(points[k] == points[(k + 1) % 3])
+        return failure(ERROR_ZERO_LENGTH_EDGE, "two vertices at " + position(points[k]) + " in "
+                                               + description_of_face(f));
+    return {};
+  }
+
+  void measure_face(const std::size_t number, const Triangle_points& points)
+  {
+    const std::array<double, 3> angles = corner_angles(points);
+    std::copy(angles.begin(), angles.end(), m_surface.angle.begin() + 3 * number);
+    if(m_surface.length.empty())
+      return;
+    for(int k = 0; k < 3; ++k)
+      m_surface.length[3 * number + k] = distance(in_unit(points[(k + 2) % 3], m_surface.length_unit),
+                                                  in_unit(points[k], m_surface.length_unit));
+  }
+
+  // One thread reads the mesh, since the caller's maps may not bear more, block after block; all measure a block.
   Result measure(const bool measures_lengths)
   {
     if(measures_lengths)
       m_surface.length_unit = length_unit();
-    m_surface.angle.reserve(3 * m_faces.size());
-    m_surface.length.reserve(measures_lengths ? 3 * m_faces.size() : 0);
-    for(const face_descriptor f : m_faces)
+    m_surface.angle.resize(3 * m_faces.size());
+    m_surface.length.resize(measures_lengths ? 3 * m_faces.size() : 0);
+    const std::size_t block_size = 4096, share_size = 256;
+    std::vector<Triangle_points> block((std::min)(block_size, m_faces.size()));
+    for(std::size_t begin = 0; begin < m_faces.size(); begin += block_size)
     {
-      const halfedge_descriptor h = halfedge(f, m_mesh);
-      const std::array<Coordinates, 3> points{ coordinates(target(h, m_mesh)),
-                                               coordinates(target(next(h, m_mesh), m_mesh)),
-                                               coordinates(source(h, m_mesh)) };
-      for(const Coordinates& point : points)
-        if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-          return failure(ERROR_NON_FINITE_COORDINATE, description_of_face(f));
-      for(int k = 0; k < 3; ++k)
-        if(points[k] == points[(k + 1) % 3])
-          return failure(ERROR_ZERO_LENGTH_EDGE, "two vertices at " + position(points[k]) + " in "
-                                                 + description_of_face(f));
-      for(const double angle : corner_angles(points))
-        m_surface.angle.push_back(angle);
-      if(measures_lengths)
-        for(int k = 0; k < 3; ++k)
-          m_surface.length.push_back(distance(in_unit(points[(k + 2) % 3], m_surface.length_unit),
-                                              in_unit(points[k], m_surface.length_unit)));
+      const std::size_t end = (std::min)(begin + block_size, m_faces.size());
+      for(std::size_t f = begin; f < end; ++f)
+        if(const Result result = read_points(f, block[f - begin]); !result)
+          return result;
+      std::vector<std::size_t> shares;
+      for(std::size_t share = begin; share < end; share += share_size)
+        shares.push_back(share);
+      CGAL::for_each<Concurrency_tag>(shares, [&](const std::size_t share) -> bool
+      {
+        for(std::size_t f = share; f < (std::min)(share + share_size, end); ++f)
+          measure_face(f, block[f - begin]);
+        return true;
+      });
     }
     return {};
   }

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -210,47 +209,6 @@ inline std::vector<int> reorder_opposites(const std::vector<int>& opposite, cons
   return result;
 }
 
-// Numbers the corners of the sector of `corner` and adds up their angles.
-inline void add_sector(Cut_surface& surface, const int corner)
-{
-  const auto add_from = [&](const int first_corner)
-  {
-    double total_angle = 0;
-    int last_corner = first_corner;
-    for_each_corner(surface.opposite, first_corner, [&](const int c)
-    {
-      surface.sector[c] = surface.number_of_sectors();
-      total_angle += surface.angle[c];
-      last_corner = c;
-    });
-    const bool is_closed = !surface.is_constrained(last_corner);
-    return std::make_pair(is_closed, total_angle);
-  };
-  // Most sectors are closed: only for the others it pays to look for the clockwise-most corner.
-  int first_corner = corner;
-  auto [is_closed, total_angle] = add_from(corner);
-  if(!is_closed)
-  {
-    first_corner = clockwise_most_corner(surface.opposite, corner);
-    total_angle = add_from(first_corner).second;
-  }
-  surface.first_corner.push_back(first_corner);
-  surface.total_angle.push_back(total_angle);
-}
-
-inline void collect_sectors(Cut_surface& surface)
-{
-  surface.sector.assign(surface.angle.size(), -1);
-  for(Patch& patch : surface.patches)
-  {
-    patch.sectors.begin_index = surface.number_of_sectors();
-    for(int halfedge = 3 * patch.faces.begin_index; halfedge < 3 * patch.faces.end_index; ++halfedge)
-      if(surface.sector[halfedge] < 0)
-        add_sector(surface, halfedge);
-    patch.sectors.end_index = surface.number_of_sectors();
-  }
-}
-
 // The height of a triangle over the edge of a halfedge divided by the length of that edge.
 inline double height_over_length(const Cut_surface& surface, const int halfedge)
 {
@@ -299,32 +257,6 @@ inline double patch_area(const Cut_surface& surface, const Patch& patch)
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
     sum += area(surface, f);
   return sum;
-}
-
-// c_ij between -pi and pi, so that c_ji = -c_ij and the matching can be used without the order of the faces here.
-inline double transport_across(const Cut_surface& surface, const int halfedge, const int opposite)
-{
-  const double angle = halfedge_angle(surface, halfedge) - halfedge_angle(surface, opposite); // between +-2 pi
-  return angle < 0 ? angle + CGAL_PI : angle - CGAL_PI;
-}
-
-inline void collect_dual_edges(Cut_surface& surface, const Edge_weighting weighting)
-{
-  surface.edge_weighting = weighting;
-  for(Patch& patch : surface.patches)
-  {
-    patch.dual_edges.begin_index = surface.number_of_dual_edges();
-    for(int halfedge = 3 * patch.faces.begin_index; halfedge < 3 * patch.faces.end_index; ++halfedge)
-    {
-      const int opposite = surface.opposite[halfedge];
-      if(opposite < halfedge)
-        continue;
-      surface.dual_edges.push_back({ halfedge, opposite });
-      surface.transport.push_back(transport_across(surface, halfedge, opposite));
-      surface.weight.push_back(edge_weight(surface, surface.dual_edges.back(), weighting));
-    }
-    patch.dual_edges.end_index = surface.number_of_dual_edges();
-  }
 }
 
 } // namespace internal
