@@ -6,9 +6,9 @@ The concept `FrameFieldOrderingSolverTraits` refines `FrameFieldSolverTraits` fo
 the order of their numbers: it tells in which order that should be.
 
 The unknowns of each system are numbered in the order that `elimination_order()` returns. It is called up to twice for
-each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, and for that of
-the faces, whose order serves the orthogonal field and the relaxation. With a model of `FrameFieldSolverTraits` alone,
-unknowns are numbered in the order of the mesh, and solvers find their own order.
+each patch: for the graph of the sectors, which the prescribed rotation needs if there are sharp corners, and for that
+of the faces, whose order serves the orthogonal field and the relaxation. With a model of `FrameFieldSolverTraits`
+alone, unknowns are numbered in the order of the mesh, and solvers find their own order.
 
 \cgalRefines{FrameFieldSolverTraits}
 
