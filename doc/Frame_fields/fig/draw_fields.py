@@ -203,8 +203,8 @@ def print_table(computer):
     names = ("mech-holes-shark", "boeing", "cheese", "fandisk_large", "hand", "anchor_dense", "fandisk")
     for model in [FLANGE, *(computer.meshes / (name + ".off") for name in names)]:
         report = fastest_report(computer, model, "--threads", "1")
-        print(f"| {model.stem} | {report['faces_after_split']:,} | {report['unmeshable_before']} | {report['unmeshable_after']} | "
-              f"{report['seconds']['total']:.3f} |")
+        print(f"| {model.stem} | {report['faces_after_split']:,} | {report['unmeshable_before']} | "
+              f"{report['unmeshable_after']} | {report['seconds']['total']:.3f} |")
 
 
 PICTURES = {"sharp_corner": draw_sharp_corner, "strategies": draw_strategies, "index_gallery": draw_index_gallery,
