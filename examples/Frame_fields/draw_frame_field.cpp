@@ -25,8 +25,7 @@ typedef Mesh::Property_map<Mesh::Face_index, double> Angle_map;
 namespace FF = CGAL::Frame_fields;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// The faces, and a little above each of them, where it does not hide it, a cross: one direction in blue, the other one
-// in red.
+// The faces, and a little above each, so that it is not hidden, a cross: one direction in blue, the other one in red.
 template <typename Scene>
 void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Scene& scene)
 {
