@@ -20,7 +20,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
