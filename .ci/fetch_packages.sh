@@ -1,6 +1,7 @@
 #!/bin/sh
 # fetch_packages.sh FOLDER: unpacks CGAL, Eigen and AMGCL of later Debian suites, which are header-only, into FOLDER.
 # They come from the mirror that this machine is configured for, past its own package lists. What is there is kept.
+# The viewer of CGAL is in a package of its own.
 set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
@@ -17,19 +18,25 @@ apt_get() {
     -o Dir::State::Lists="$folder/lists" -o APT::Sandbox::User=root "$@"
 }
 
-# fetch NAME SUITE PACKAGE: unpacks the package of the suite into the folder NAME.
+# fetch NAME SUITE PACKAGE...: unpacks the packages of the suite into the folder NAME, which lists them.
 fetch() {
-  [ ! -d "$folder/$1" ] || return 0
+  name=$1 suite=$2
+  shift 2
+  [ "$(cat "$folder/$name/packages" 2> /dev/null)" != "$*" ] || return 0
   rm -rf "$folder/download" "$folder/unpacked"
   mkdir -p "$folder/download" "$folder/lists/partial"
-  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $2 main" > "$folder/sources.list"
+  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" > "$folder/sources.list"
   apt_get update --error-on=any
-  (cd "$folder/download" && apt_get download "$3")
-  dpkg -x "$folder/download/$3"_*.deb "$folder/unpacked"
-  mv "$folder/unpacked" "$folder/$1"
+  (cd "$folder/download" && apt_get download "$@")
+  for package in "$folder"/download/*.deb; do
+    dpkg -x "$package" "$folder/unpacked"
+  done
+  echo "$*" > "$folder/unpacked/packages"
+  rm -rf "${folder:?}/$name"
+  mv "$folder/unpacked" "$folder/$name"
 }
 
-fetch cgal-trixie trixie libcgal-dev
-fetch cgal-sid sid libcgal-dev
+fetch cgal-trixie trixie libcgal-dev libcgal-qt6-dev
+fetch cgal-sid sid libcgal-dev libcgal-qt6-dev
 fetch eigen-sid sid libeigen3-dev
 fetch amgcl-sid sid libamgcl-dev

@@ -1,16 +1,19 @@
 #include <CGAL/Frame_fields.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/Qt/Basic_viewer.h>
-#else
+#if CGAL_VERSION_NR < 1060000000
 #include <CGAL/Qt/Basic_viewer_qt.h>
 #include <CGAL/Qt/init_ogl_context.h>
+#elif __has_include(<CGAL/Basic_viewer.h>) // not yet in 6.0
+#include <CGAL/Basic_viewer.h>
+#else
+#include <CGAL/Qt/Basic_viewer.h>
 #endif
 
 #include <cmath>
@@ -22,7 +25,7 @@ typedef Mesh::Property_map<Mesh::Face_index, double> Angle_map;
 namespace FF = CGAL::Frame_fields;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// The faces, and on each a cross: one direction in blue, the other one in red.
+// The faces, and a little above each, so that it is not hidden, a cross: one direction in blue, the other one in red.
 template <typename Scene>
 void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Scene& scene)
 {
@@ -31,12 +34,12 @@ void add_field(const Mesh& mesh, const Angle_map alpha, const Angle_map rho, Sce
     const auto h = mesh.halfedge(f);
     const Mesh::Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
                       &r = mesh.point(mesh.target(mesh.next(h)));
-    scene.face_begin(CGAL::IO::white());
+    scene.face_begin(CGAL::IO::Color(220, 220, 215));
     for(const Mesh::Point& corner : { p, q, r })
       scene.add_point_in_face(corner);
     scene.face_end();
     const double size = 0.4 * std::sqrt(PMP::face_area(f, mesh));
-    const Mesh::Point center = CGAL::centroid(p, q, r);
+    const Mesh::Point center = CGAL::centroid(p, q, r) + 0.1 * size * PMP::compute_face_normal(f, mesh);
     const auto branch = FF::frame_vectors(mesh, f, alpha[f], rho[f]);
     scene.add_segment(center + size * branch[0], center + size * branch[2], CGAL::IO::blue());
     scene.add_segment(center + size * branch[1], center + size * branch[3], CGAL::IO::red());

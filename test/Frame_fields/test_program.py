@@ -1756,8 +1756,27 @@ class Examples(ProgramTest):
                 along = unit(difference(points[side[1]], points[side[0]]))
                 self.assertAlmostEqual(dot(directions[side][number], along), 1, delta=1e-9)
 
+    def test_streamlines_example_writes_the_polylines_of_the_program(self):
+        lines, branch_pairs, points, polylines = self.run_example("frame_field_streamlines"), 0, [], []
+        for key, *values in lines:
+            if key == "o":
+                branch_pairs += 1
+            elif key == "v":
+                points.append(tuple(map(float, values)))
+            else:
+                polylines.append((branch_pairs, [points[int(value) - 1] for value in values]))
+        self.succeed(paths.cgal_data / "meshes/fandisk.off", "--vtp", "out.vtp", "--streamlines")
+        piece, arrays = read_vtp((self.folder / "out.vtp").read_bytes())
+        ends, places = arrays["Lines", "offsets"], arrays["Points", "points"]
+        kinds = arrays["CellData", "streamline"][piece["NumberOfVerts"]:]
+        expected = [(kind, [places[v] for v in arrays["Lines", "connectivity"][start:end]])
+                    for start, end, kind in zip((0,) + ends, ends, kinds) if kind]
+        self.assertGreater(len(expected), 0)
+        self.assertEqual(sorted(polylines), sorted(expected))
+
     def test_examples_that_cannot_read_their_model_fail(self):
-        for name in ("surface_mesh", "polyhedron", "stages", "indices", "own_solver", "parallel", "for_quad_mesher"):
+        for name in ("surface_mesh", "polyhedron", "stages", "indices", "own_solver", "parallel", "for_quad_mesher",
+                     "streamlines"):
             name = "frame_field_" + name
             self.run_example(name)  # or skip
             completed = run(paths.program.with_name(name), "missing.off")

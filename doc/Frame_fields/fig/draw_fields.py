@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Frame_fields authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Computes fields with the program cad_frame_field and draws them with their streamlines, beside this script.
+"""Computes fields with the program cad_frame_field and draws them with their streamlines, beside this script. Prints
+the table of the README.
 
     xvfb-run -a /usr/bin/python3 draw_fields.py PROGRAM MESHES [PICTURE...]
 
@@ -19,12 +20,15 @@ import numpy as np
 from PIL import Image
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path += [str(FOLDER), str(FOLDER.parents[2] / "examples/Frame_fields")]
+EXAMPLES = FOLDER.parents[2] / "examples/Frame_fields"
+sys.path += [str(FOLDER), str(EXAMPLES)]
 
 import planar_models as planar  # noqa: E402
 import render_frame_field as render  # noqa: E402
-from plot_models import plot_models  # noqa: E402
+from ellipsoid import ellipsoid  # noqa: E402
+from plot_models import fastest_report, plot_models  # noqa: E402
 
+FLANGE = EXAMPLES / "data/flange.off"
 CLASSICAL = ["--support", "none", "--no-repair", "--no-relaxation"]
 LABEL_SIZE = 17
 
@@ -101,10 +105,10 @@ class Computer:
                         str(report), *options], check=True)
         return vtp, json.loads(report.read_text(encoding="utf-8"))
 
-    def field_with_index(self, model, four_times_index, spacing):
-        """The field with an index asked for at vertex 0."""
+    def field_with_indices(self, model, four_times_index, spacing):
+        """The field with indices asked for at the first vertices."""
         targets = self.folder / "targets.txt"
-        targets.write_text(f"0 {four_times_index}\n", encoding="ascii")
+        targets.write_text("".join("%d %d\n" % target for target in enumerate(four_times_index)), encoding="ascii")
         return self.field(model, "--index-targets", str(targets), spacing=spacing)[0]
 
 
@@ -135,7 +139,7 @@ def draw_index_gallery(computer):
     constrained = [Panel(computer.field(planar.sector(degrees, 14), *options, spacing=0.075)[0], name(index), view)
                    for index, degrees, options in ((2, 25, CLASSICAL), (1, 90, []), (0, 180, []), (-1, 270, []),
                                                    (-2, 360, []))]
-    inside = [Panel(computer.field_with_index(planar.polygon(4 - index, 14), index, 0.085), name(index), view)
+    inside = [Panel(computer.field_with_indices(planar.polygon(4 - index, 14), [index], 0.085), name(index), view)
               for index in (2, 1, 0, -1, -2)]
     draw("index_gallery", [constrained, inside], (220, 250), 0.7, 4)
 
@@ -152,6 +156,28 @@ def draw_extremely_sharp(computer):
     draw("extremely_sharp_corners", rows, (500, 330), 0.3, 2.5)
 
 
+def draw_flange(computer):
+    """The whole flange, and the side of one of its ribs, with a corner of 40 degrees."""
+    features = "--features", str(FLANGE.with_suffix(".feat"))
+
+    def close(field, aspect):
+        return render.View(np.array([4, -31, 14.5]), np.array([3.4, -0.9, 0.6]), render.VERTICAL, 10.5)
+
+    for name, when, options in (("flange_baseline", "classical field", CLASSICAL), ("flange", "this package", [])):
+        vtp, report = computer.field(FLANGE, *features, *options, spacing=0)
+        near = computer.field(FLANGE, *features, *options, spacing=0.9)[0]
+        draw(name, [[Panel(vtp, f"{when}: {report['unmeshable_after']} unmeshable", from_side(30, 40, 1.05)),
+                     Panel(near, "a corner of 40 degrees", close)]], (600, 450), 0.3, 2)
+
+
+def draw_closed_surfaces(computer):
+    model = ellipsoid((3, 2, 1), 30)
+    for name, vtp in (("sphere", computer.field(ellipsoid((1, 1, 1), 30), spacing=0.06)[0]),
+                      ("ellipsoid", computer.field(model, "--curvature-weight", "0.1", spacing=0.1)[0]),
+                      ("given_singularities", computer.field_with_indices(model, [1, 1, 1, 1, 2, 2], 0.1))):
+        draw(name, [[Panel(vtp, "", from_side(20, 35))]], (600, 380), 0.25, 1.8)
+
+
 # Names of CGAL's meshes, and from where they are seen: azimuth and elevation in degrees.
 MODELS = {"mech-holes-shark": (60, 25), "boeing": (30, 40), "cheese": (30, 40), "fandisk_large": (30, 40),
           "ALSTOM_TEST4": (110, 25), "mpi_triang": (30, 40), "star": (40, 25), "tripod": (30, 40),
@@ -160,7 +186,7 @@ MODELS = {"mech-holes-shark": (60, 25), "boeing": (30, 40), "cheese": (30, 40), 
 
 
 def draw_cad_models(computer):
-    paths = {"flange": (FOLDER.parents[2] / "examples/Frame_fields/data/flange.off", (30, 40))}
+    paths = {"flange": (FLANGE, (30, 40))}
     paths.update({name: (computer.meshes / (name + ".off"), view) for name, view in MODELS.items()})
     tiles = []
     for name, (model, view) in paths.items():
@@ -172,9 +198,20 @@ def draw_cad_models(computer):
     draw("cad_models", [tiles[i:i + 4] for i in range(0, len(tiles), 4)], (300, 250), 0.3, 2.5)
 
 
+def print_table(computer):
+    """The lines of the table of the README."""
+    names = ("mech-holes-shark", "boeing", "cheese", "fandisk_large", "hand", "anchor_dense", "fandisk")
+    for model in [FLANGE, *(computer.meshes / (name + ".off") for name in names)]:
+        report = fastest_report(computer, model, "--threads", "1")
+        print(f"| {model.stem} | {report['faces_after_split']:,} | {report['unmeshable_before']} | "
+              f"{report['unmeshable_after']} | {report['seconds']['total']:.3f} |")
+
+
 PICTURES = {"sharp_corner": draw_sharp_corner, "strategies": draw_strategies, "index_gallery": draw_index_gallery,
             "extremely_sharp_corners": draw_extremely_sharp, "cad_models": draw_cad_models,
-            "model_set": lambda computer: plot_models(computer, FOLDER / "model_set.svg")}
+            "flange": draw_flange, "closed_surfaces": draw_closed_surfaces,
+           "model_set": lambda computer: plot_models(computer, FOLDER / "model_set.svg"),
+           "table": print_table}
 
 
 def main():

@@ -30,7 +30,7 @@ class Model:
     def write(self, path):
         with open(path, "w", encoding="ascii") as file:
             file.write("OFF\n%d %d 0\n" % (len(self.points), len(self.faces)))
-            file.writelines("%.17g %.17g 0\n" % p for p in self.points)
+            file.writelines("%.17g %.17g %.17g\n" % (*p, 0)[:3] for p in self.points)
             file.writelines("3 %d %d %d\n" % f for f in self.faces)
 
 

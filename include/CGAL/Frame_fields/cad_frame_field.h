@@ -115,7 +115,7 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
     \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
-                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a
+                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a
                           face of area \f$ A_i \f$}
     \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
     \cgalParamDefault{a quarter of the square root of the area of the patch}

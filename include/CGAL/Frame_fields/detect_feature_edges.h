@@ -19,8 +19,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 
 /// \file detect_feature_edges.h

@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/stages.h>
 

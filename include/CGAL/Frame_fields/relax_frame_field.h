@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/field_maps.h>
 #include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/relaxation.h>
 #include <CGAL/Frame_fields/internal/stages.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -110,7 +111,7 @@ indices stay what they are.
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
     \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
-                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \, \mathrm{length}^2) \f$ for a
+                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a
                           face of area \f$ A_i \f$}
     \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
     \cgalParamDefault{a quarter of the square root of the area of the patch}

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Geodesic_distances.h>
 #include <CGAL/Frame_fields/internal/field_maps.h>
 #include <CGAL/Frame_fields/internal/options.h>

@@ -81,8 +81,8 @@ this function and `split_chords()` modify a mesh.
 
 \return the number of faces that were split
 
-\exception std::invalid_argument if a face is not a triangle; its message names the face, and `tm` is unchanged
-\exception std::bad_alloc if memory is exhausted; a `%Surface_mesh` is unchanged then
+\exception std::invalid_argument if a face is not a triangle; its message names the face, and \c tm is unchanged
+\exception std::bad_alloc if memory is exhausted; a \c %Surface_mesh is unchanged then
 
 \cgalBigO{n} for \f$ n \f$ faces.
 

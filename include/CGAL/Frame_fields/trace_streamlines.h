@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/internal/Branch_directions.h>
 #include <CGAL/Frame_fields/internal/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Face_charts.h>
 #include <CGAL/Frame_fields/internal/Streamline_options.h>
 #include <CGAL/Frame_fields/internal/evenly_spaced_streamlines.h>
@@ -27,8 +28,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <vector>
 

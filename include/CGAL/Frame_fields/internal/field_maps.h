@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
+#include <CGAL/Frame_fields/internal/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/relaxation.h>
 #include <CGAL/Frame_fields/internal/stages.h>

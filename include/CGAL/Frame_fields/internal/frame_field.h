@@ -12,14 +12,17 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_FRAME_FIELD_H
 #define CGAL_FRAME_FIELDS_INTERNAL_FRAME_FIELD_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/field_maps.h>
+#include <CGAL/Frame_fields/internal/index_target.h>
 #include <CGAL/Frame_fields/internal/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/options.h>
 #include <CGAL/Frame_fields/internal/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/relaxation.h>
+#include <CGAL/Frame_fields/internal/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/stages.h>
 #include <CGAL/Frame_fields/parameters.h>
 

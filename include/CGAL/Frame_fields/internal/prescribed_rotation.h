@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PRESCRIBED_ROTATION_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PRESCRIBED_ROTATION_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>

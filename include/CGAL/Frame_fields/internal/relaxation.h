@@ -12,6 +12,9 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_RELAXATION_H
 #define CGAL_FRAME_FIELDS_INTERNAL_RELAXATION_H
 
+#include <CGAL/Frame_fields/Edge_weighting.h>
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Hermitian_matrix.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/assemble.h>

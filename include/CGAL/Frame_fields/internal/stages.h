@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_STAGES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_STAGES_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/Patch_result.h>
 #include <CGAL/Frame_fields/internal/elimination_order.h>

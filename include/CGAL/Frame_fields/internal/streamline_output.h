@@ -20,8 +20,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
-
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
