@@ -586,8 +586,8 @@ class HostileInput(ProgramTest):
 
     def run_with_outputs(self, *arguments):
         before = self.content_of_folder()
-        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--report", "out.json",
-                                     "--field", "out.rawfield", "--quiet")
+        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--streamlines",
+                                     "--report", "out.json", "--field", "out.rawfield", "--quiet", timeout=60)
         after = self.content_of_folder()
         self.assertEqual({name: after[name] for name in before}, before, "inputs are changed")
         expected = set(before) | (set(self.OUTPUTS) if completed.returncode == DONE else set())
