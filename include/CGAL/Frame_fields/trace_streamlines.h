@@ -31,6 +31,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 /// \file trace_streamlines.h
