@@ -90,7 +90,7 @@ another line of its branch pair or to itself.
     \cgalParamDescription{the distance of streamlines of a branch pair where they run side by side, and from constrained
                           edges that the field is aligned with}
     \cgalParamType{`double`, a length}
-    \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-4} \f$ of its longest edge if that
+    \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-3} \f$ of its longest edge if that
                       is more}
     \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and a square of it at least
                     \f$ 10^{-9} \f$ of the area.}
