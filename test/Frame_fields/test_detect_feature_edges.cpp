@@ -4,7 +4,9 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -168,6 +170,61 @@ TYPED_TEST(Feature_detection, removes_a_closed_chain_that_meets_no_other)
   const double length = 24 * 2 * 1.5 * std::sin(7.5 * degree);
   EXPECT_EQ(ridge, detected(cad_mesh, parameters::strong_angle(40).minimum_chain_length(0.999 * length)));
   EXPECT_EQ(Segments(), detected(cad_mesh, parameters::strong_angle(40).minimum_chain_length(1.001 * length)));
+}
+
+// A graph of edges in the plane, the first ones of which are features.
+struct Drawn_features
+{
+  FF::internal::Feature_graph graph;
+
+  typedef std::vector<std::array<int, 2> > Pairs;
+
+  Drawn_features(const std::vector<Point>& points, const Pairs& features, const Pairs& others = {})
+  {
+    for(const Point& p : points)
+      graph.points.push_back({ p.x(), p.y(), p.z() });
+    graph.ends = features;
+    graph.ends.insert(graph.ends.end(), others.begin(), others.end());
+    for(const auto& [a, b] : graph.ends)
+      graph.length.push_back(FF::internal::distance(graph.points[a], graph.points[b]));
+    graph.is_border.assign(graph.ends.size(), false);
+    graph.is_feature.assign(features.size(), true);
+    graph.is_feature.resize(graph.ends.size(), false);
+  }
+
+  std::vector<int> features() const
+  {
+    std::vector<int> result;
+    for(int e = 0; e < graph.number_of_edges(); ++e)
+      if(graph.is_feature[e])
+        result.push_back(e);
+    return result;
+  }
+};
+
+TEST(Gap, is_not_closed_around_a_right_angle)
+{
+  const std::vector<Point> square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  Drawn_features opposite_sides(square, { { 0, 1 }, { 2, 3 } }, { { 1, 2 } });
+  FF::internal::join_dangling_ends(opposite_sides.graph);
+  EXPECT_EQ((std::vector<int>{ 0, 1 }), opposite_sides.features());
+}
+
+TEST(Gap, is_closed_where_the_features_turn_the_least)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0.5, 0 }, { 3, 1, 0 }, { 2, 0.1, 0 },
+                                      { 3, 0.2, 0 } };
+  Drawn_features fork(points, { { 0, 1 }, { 2, 3 }, { 4, 5 } }, { { 1, 2 }, { 1, 4 } });
+  FF::internal::join_dangling_ends(fork.graph);
+  EXPECT_EQ((std::vector<int>{ 0, 1, 2, 4 }), fork.features());
+}
+
+TEST(Chain, that_has_become_longer_as_its_neighbor_went_is_measured_anew)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 5, 0, 0 }, { 6, 1, 0 }, { 6.5, -1, 0 } };
+  Drawn_features fork(points, { { 0, 1 }, { 1, 2 }, { 1, 3 } });
+  FF::internal::remove_short_chains(fork.graph, 3);
+  EXPECT_EQ((std::vector<int>{ 0, 2 }), fork.features());
 }
 
 TYPED_TEST(Feature_detection, does_not_depend_on_the_unit_of_length)

@@ -1,10 +1,13 @@
+#include "sentinels.h"
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/singularity_indices.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 namespace {
 
@@ -14,12 +17,12 @@ using namespace test;
 template <typename Mesh>
 struct Copied_field
 {
-  typedef boost::graph_traits<Mesh> Graph_traits;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
 
   Cad_mesh<Mesh> cad_mesh;
   Maps<Mesh> original, copy;
   Halfedge_map<Mesh, int> index;
-  Face_map<Mesh, Vector> u, v;
+  std::map<face_descriptor, Vector> u, v;
   double maximum_misalignment = -1;
 
   Copied_field(const Model& model, const bool relaxes)
@@ -27,8 +30,6 @@ struct Copied_field
     , original(cad_mesh.mesh)
     , copy(cad_mesh.mesh)
     , index(get(CGAL::dynamic_halfedge_property_t<int>(), static_cast<const Mesh&>(cad_mesh.mesh)))
-    , u(get(CGAL::dynamic_face_property_t<Vector>(), static_cast<const Mesh&>(cad_mesh.mesh)))
-    , v(get(CGAL::dynamic_face_property_t<Vector>(), static_cast<const Mesh&>(cad_mesh.mesh)))
   {
     EXPECT_TRUE(FF::cad_frame_field(cad_mesh.mesh, original.alpha, original.rho, original.index,
       cad_mesh.features().support_strategy(FF::Support_strategy::none()).repair_matching(false)
@@ -36,14 +37,15 @@ struct Copied_field
     for(const auto f : faces(cad_mesh.mesh))
     {
       const auto vectors = FF::frame_vectors(cad_mesh.mesh, f, get(original.alpha, f), get(original.rho, f));
-      put(u, f, vectors[0]);
-      put(v, f, vectors[1]);
+      u[f] = vectors[0];
+      v[f] = vectors[1];
     }
   }
 
   FF::Result read()
   {
-    return FF::frame_field_from_vectors(cad_mesh.mesh, u, v, copy.alpha, copy.rho, copy.matching,
+    return FF::frame_field_from_vectors(cad_mesh.mesh, boost::make_assoc_property_map(u),
+                                        boost::make_assoc_property_map(v), copy.alpha, copy.rho, copy.matching,
                                         maximum_misalignment, cad_mesh.features());
   }
 
@@ -96,10 +98,10 @@ TYPED_TEST(Field_from_vectors, does_not_depend_on_lengths_signs_and_names_of_the
   int number = 0;
   for(const auto f : faces(field.cad_mesh.mesh))
   {
-    const Vector u = get(field.u, f), v = get(field.v, f);
+    const Vector u = field.u[f], v = field.v[f];
     const bool swaps = ++number % 2;
-    put(field.u, f, (number % 3 + 1) * (number % 5 < 2 ? -1 : 1) * (swaps ? v : u));
-    put(field.v, f, (number % 7 + 1) * (number % 3 < 2 ? -1 : 1) * (swaps ? u : v));
+    field.u[f] = (number % 3 + 1) * (number % 5 < 2 ? -1 : 1) * (swaps ? v : u);
+    field.v[f] = (number % 7 + 1) * (number % 3 < 2 ? -1 : 1) * (swaps ? u : v);
   }
   field.expect_same_indices();
 }
@@ -111,28 +113,28 @@ TYPED_TEST(Field_from_vectors, is_turned_onto_constrained_edges)
   for(const auto f : faces(field.cad_mesh.mesh))
   {
     const auto vectors = FF::frame_vectors(field.cad_mesh.mesh, f, get(field.original.alpha, f) + turn, 0);
-    put(field.u, f, vectors[0]);
-    put(field.v, f, vectors[1]);
+    field.u[f] = vectors[0];
+    field.v[f] = vectors[1];
   }
   ASSERT_TRUE(field.read());
   EXPECT_NEAR(turn, field.maximum_misalignment, 1e-9);
   EXPECT_TRUE(field.compute_indices());
 }
 
-TYPED_TEST(Field_from_vectors, refuses_vectors_that_are_no_frame)
+TYPED_TEST(Field_from_vectors, refuses_vectors_that_are_no_frame_and_writes_nothing)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for(const Vector& wrong : { Vector(0, 0, 0), Vector(0, 0, 1), Vector(nan, 0, 0) })
+  Copied_field<TypeParam> field(square(2), false);
+  put_sentinels(field.cad_mesh.mesh, field.copy);
+  const auto last = std::prev(field.v.end());
+  const Vector parallel = 2 * field.u[last->first];
+  for(const Vector& wrong : { Vector(0, 0, 0), Vector(0, 0, 1), Vector(nan, 0, 0), parallel })
   {
-    Copied_field<TypeParam> field(square(2), false);
-    put(field.v, *faces(field.cad_mesh.mesh).begin(), wrong);
+    last->second = wrong;
     EXPECT_EQ(FF::ERROR_WRONG_FIELD, field.read().error_code);
     EXPECT_EQ(-1, field.maximum_misalignment);
+    EXPECT_TRUE(hold_sentinels(field.cad_mesh.mesh, field.copy));
   }
-  Copied_field<TypeParam> parallel(square(2), false);
-  const auto first = *faces(parallel.cad_mesh.mesh).begin();
-  put(parallel.v, first, get(parallel.u, first));
-  EXPECT_EQ(FF::ERROR_WRONG_FIELD, parallel.read().error_code);
 }
 
 } // namespace

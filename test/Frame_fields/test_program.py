@@ -487,6 +487,8 @@ class Usage(ProgramTest):
         completed = self.succeed(self.write_cube(), "--quiet")
         self.assertEqual(completed.stdout + completed.stderr, "")
 
+
+class Terminal(ProgramTest):
     def test_progress_is_shown_on_a_terminal_only_and_not_when_quiet(self):
         self.write_cube()
         self.assertEqual(self.run_program("cube.off").stderr, "")
@@ -584,8 +586,8 @@ class HostileInput(ProgramTest):
 
     def run_with_outputs(self, *arguments):
         before = self.content_of_folder()
-        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--report", "out.json",
-                                     "--field", "out.rawfield", "--quiet")
+        completed = self.run_program(*arguments, "-o", "out.ply", "--vtp", "out.vtp", "--streamlines",
+                                     "--report", "out.json", "--field", "out.rawfield", "--quiet", timeout=60)
         after = self.content_of_folder()
         self.assertEqual({name: after[name] for name in before}, before, "inputs are changed")
         expected = set(before) | (set(self.OUTPUTS) if completed.returncode == DONE else set())
@@ -659,15 +661,8 @@ class HostileInput(ProgramTest):
                 with self.subTest(name, end=end):
                     self.run_with_outputs(self.write(name, content[:end]))
 
-    def test_folders_without_permission(self):
-        self.write_cube()
-        self.assert_fails(BAD_FILE, "/proc/out.ply", "cube.off", "-o", "/proc/out.ply")
-        if os.geteuid() == 0:
-            self.skipTest("nothing is forbidden to root")
-        (self.folder / "locked").mkdir(mode=0o500)
-        self.assert_fails(BAD_FILE, "no permission", "cube.off", "-o", "locked/out.ply")
-        os.chmod(self.folder / "cube.off", 0)
-        self.assert_fails(BAD_FILE, "permissions", "cube.off")
+    def test_folder_that_takes_no_files(self):
+        self.assert_fails(BAD_FILE, "/proc/out.ply", self.write_cube(), "-o", "/proc/out.ply")
 
     def test_190_of_200_models_succeed_and_each_of_10_broken_ones_tells_what_it_is(self):
         broken = {
@@ -692,6 +687,52 @@ class HostileInput(ProgramTest):
         for name, message in messages.items():
             self.assertTrue(message.startswith(f"cad_frame_field: error: {name}: "), message)
         self.assertEqual(len({message.split(": ", 3)[3] for message in messages.values()}), 10, messages)
+
+
+class Permissions(ProgramTest):
+    """Since nothing is forbidden to root, tests of root run the program as a user without rights."""
+
+    USER_WITHOUT_RIGHTS = 65534
+
+    def setUp(self):
+        super().setUp()
+        self.program, self.user = paths.program, {}
+        if os.geteuid() == 0:
+            self.program = shutil.copy(paths.program, self.folder)  # which that user may not see where it lies
+            self.user = {"user": self.USER_WITHOUT_RIGHTS, "group": self.USER_WITHOUT_RIGHTS, "extra_groups": []}
+            try:
+                os.chown(self.folder, self.USER_WITHOUT_RIGHTS, self.USER_WITHOUT_RIGHTS)
+                self.run_program("--version", check=True)
+            except (OSError, subprocess.SubprocessError) as error:
+                self.skipTest(f"root cannot run the program as another user: {error}")
+        (self.folder / "folder").mkdir()
+        self.write("folder/cube.off", cube_text())
+
+    def run_program(self, *arguments, **settings):
+        return run(self.program, *arguments, cwd=self.folder, **self.user, **settings)
+
+    def give_away(self, name, mode):
+        os.chmod(self.folder / name, mode)
+        if self.user:
+            os.chown(self.folder / name, self.USER_WITHOUT_RIGHTS, self.USER_WITHOUT_RIGHTS)
+
+    def test_folder_that_must_not_be_written(self):
+        (self.folder / "locked").mkdir()
+        self.give_away("locked", 0o500)
+        self.assert_fails(BAD_FILE, "no permission", "folder/cube.off", "-o", "locked/out.ply")
+        self.assertEqual(list((self.folder / "locked").iterdir()), [])
+
+    def test_model_that_must_not_be_read(self):
+        self.give_away("folder/cube.off", 0)
+        self.assert_fails(BAD_FILE, "folder/cube.off: ", "folder/cube.off", "-o", "out.ply")
+
+    def test_old_file_that_must_not_be_written(self):
+        (self.folder / "locked").mkdir()
+        self.write("locked/out.ply", "old")
+        self.give_away("locked/out.ply", 0o400)
+        self.give_away("locked", 0o500)
+        self.assert_fails(BAD_FILE, "locked/out.ply", "folder/cube.off", "-o", "locked/out.ply")
+        self.assertEqual([path.read_text() for path in (self.folder / "locked").iterdir()], ["old"])
 
 
 class Signals(ProgramTest):
@@ -1455,7 +1496,7 @@ class FeatureDetection(ProgramTest):
                          [30, 20, True, 7])
 
 
-class Batch(ProgramTest):
+class BatchTest(ProgramTest):
     def setUp(self):
         super().setUp()
         for k in range(5):
@@ -1472,6 +1513,8 @@ class Batch(ProgramTest):
         lines = (self.folder / "out/results.jsonl").read_text().splitlines()
         return {result["model"]: result for result in map(json.loads, lines)}, len(lines)
 
+
+class Batch(BatchTest):
     def test_each_model_has_a_line_and_a_broken_one_takes_no_other_along(self):
         completed = self.run_batch("--jobs", "3", "-o", "{}.ply", "--no-relaxation")
         self.assertEqual((completed.returncode, completed.stderr), (MODEL_FAILED, ""))
@@ -1554,6 +1597,8 @@ class Batch(ProgramTest):
         (self.folder / "out/results.jsonl").write_text("no result\n")
         self.assert_fails(BAD_FILE, "results.jsonl:1: ", "--batch", "list", "--out-dir", "out")
 
+
+class GnuParallel(BatchTest):
     def test_the_same_with_gnu_parallel(self):
         parallel = shutil.which("parallel")
         if not parallel or "GNU" not in run(parallel, "--version").stdout:

@@ -474,6 +474,30 @@ INSTANTIATE_TEST_SUITE_P(Generated, Streamlines_on_models, testing::ValuesIn(gen
 INSTANTIATE_TEST_SUITE_P(Cgal, Streamlines_on_models, testing::ValuesIn(cgal_models()), Model_name());
 INSTANTIATE_TEST_SUITE_P(Cad, Streamlines_on_models, testing::ValuesIn(cad_models()), Model_name());
 
+// The default spacing is a length even if there is no area, else these would never end.
+TEST(Streamlines_of_degenerate_faces, are_found)
+{
+  for(const double height : { 0., 1e-200, 1e-14, 1e-6 })
+  {
+    SCOPED_TRACE(height);
+    const Model model = transformed(square(2), [&](const Point& p)
+    {
+      return Point(p.x() + 0.3 * p.y(), height * p.y(), 0);
+    });
+    const Cad_mesh<Surface_mesh> cad_mesh(model);
+    const Maps<Surface_mesh> maps(cad_mesh.mesh);
+    ASSERT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
+                                    cad_mesh.features().matching_map(maps.matching)));
+    std::vector<FF::Streamline<Point, Surface_mesh::Face_index> > lines;
+    const FF::Result result = FF::trace_streamlines(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching,
+                                                    std::back_inserter(lines), cad_mesh.features());
+    EXPECT_TRUE(result) << result.message;
+    for(const auto& line : lines)
+      for(const Point& p : line.points)
+        EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()));
+  }
+}
+
 template <typename Mesh>
 class Streamline_errors : public testing::Test
 {

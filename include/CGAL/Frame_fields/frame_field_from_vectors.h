@@ -160,9 +160,13 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
     const auto face = cut_mesh.face_descriptors()[f];
     internal::Frame frame = internal::Frame::from_angles(cut_mesh.angle_in_face(face, get(u_map, face)),
                                                          cut_mesh.angle_in_face(face, get(v_map, face)));
-    if(surface.is_aligned(f))
+    bool is_frame = std::abs(frame.rho) < CGAL_PI / 2; // false for NaN, too
+    if(is_frame && surface.is_aligned(f))
+    {
       largest_turn = (std::max)(largest_turn, internal::align(frame, surface.alignment[f]));
-    if(!(std::abs(frame.rho) < CGAL_PI / 2)) // false for NaN, too
+      is_frame = std::abs(frame.rho) < CGAL_PI / 2;
+    }
+    if(!is_frame)
       return internal::failure(ERROR_WRONG_FIELD, "vectors that are parallel, not finite or perpendicular to "
                                                   + cut_mesh.description_of_face(f));
     alpha.push_back(frame.alpha);

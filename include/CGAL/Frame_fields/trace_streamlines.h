@@ -29,6 +29,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 /// \file trace_streamlines.h
@@ -87,7 +91,10 @@ another line of its branch pair or to itself.
     \cgalParamDescription{the distance of streamlines of a branch pair where they run side by side, and from constrained
                           edges that the field is aligned with}
     \cgalParamType{`double`, a length}
-    \cgalParamDefault{a fiftieth of the square root of the area of `tm`}
+    \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-3} \f$ of its longest edge if that
+                      is more}
+    \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and a square of it at least
+                    \f$ 10^{-9} \f$ of the area.}
   \cgalParamNEnd
   \cgalParamNBegin{streamline_separation}
     \cgalParamDescription{the part of the spacing at which a line stops when it comes near to another one of its
@@ -146,10 +153,13 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   const internal::Branch_directions directions(surface, alpha, rho, matching);
+  std::vector<Streamline<typename Geom_traits::Point_3, face_descriptor> > output; // all of it, or an exception
   for(const auto& streamlines : internal::trace_in_patches<Concurrency_tag>(charts, directions, streamline_options))
     for(const internal::Traced_streamline& streamline : streamlines)
-      *out++ = internal::to_streamline(tm, cut_mesh, directions, streamline, traits);
+      output.push_back(internal::to_streamline(tm, cut_mesh, directions, streamline, traits));
+  std::move(output.begin(), output.end(), out);
   return {};
 }
 

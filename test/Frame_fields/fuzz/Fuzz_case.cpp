@@ -81,6 +81,26 @@ Fuzz_parameters read_parameters(Byte_reader& bytes)
   return result;
 }
 
+Feature_parameters read_feature_parameters(Byte_reader& bytes)
+{
+  Feature_parameters result;
+  result.strong_angle = one_of({ 40, 0, 10, 90, 180, 1e-300, -1, 181, nan }, bytes);
+  result.weak_angle = one_of({ 40, 0, 10, 90, 180, 1e-300, -1, 181, nan }, bytes);
+  result.minimum_chain_length = one_of({ 0, 1, 10, 1e-300, 1e300, infinity, -1, nan }, bytes);
+  result.closes_gaps = bytes.byte() % 2;
+  return result;
+}
+
+// No spacings but those that bound the number of lines.
+Streamline_parameters read_streamline_parameters(Byte_reader& bytes)
+{
+  Streamline_parameters result;
+  result.spacing = one_of({ 0, 0, 0, 1e300, infinity, -1, 1e-300, nan }, bytes);
+  result.separation = one_of({ 0.5, 1, 0.2, -1, 1.1, nan }, bytes);
+  result.maximum_length = one_of({ infinity, 1, 1e-300, 1e300, 100, 0, -1, nan }, bytes);
+  return result;
+}
+
 std::vector<Point> read_points(Byte_reader& bytes)
 {
   const int kind = static_cast<int>(bytes.below(number_of_coordinate_kinds));

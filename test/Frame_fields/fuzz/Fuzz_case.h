@@ -39,6 +39,29 @@ struct Fuzz_parameters
 
 Fuzz_parameters read_parameters(Byte_reader& bytes);
 
+struct Feature_parameters
+{
+  double strong_angle = 0, weak_angle = 0, minimum_chain_length = 0;
+  bool closes_gaps = false;
+
+  bool are_in_range() const
+  {
+    return weak_angle >= 0 && weak_angle <= strong_angle && strong_angle <= 180 && minimum_chain_length >= 0;
+  }
+};
+
+struct Streamline_parameters
+{
+  double spacing = 0, separation = 0, maximum_length = 0;
+
+  bool have_default_spacing() const { return spacing == 0; }
+  bool are_in_range() const { return separation >= 0 && separation <= 1 && maximum_length > 0; }
+};
+
+// Of the bytes that are left: zeros stand for the defaults.
+Feature_parameters read_feature_parameters(Byte_reader& bytes);
+Streamline_parameters read_streamline_parameters(Byte_reader& bytes);
+
 // A mesh without coordinates yet: the points are (i, 0, 0) for the i-th one. A soup that is no oriented manifold mesh
 // is repaired by CGAL's functions for polygon soups, which may remove triangles and duplicate points.
 Model read_combinatorics(Byte_reader& bytes, std::size_t number_of_points);

@@ -8,14 +8,20 @@
 
 #include <CGAL/Frame_fields.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -138,10 +144,55 @@ bool meets_targets(const Mesh& mesh, const Maps<Mesh>& maps, const Guidance& gui
   return true;
 }
 
+// Vectors of the frames are read as the field that they come from.
+void check_vectors(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, const Field& field)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  std::map<Face, std::array<Vector, 4> > branches;
+  auto branches_of_face = field.branches.begin();
+  for(const Face f : faces(mesh))
+    branches[f] = *branches_of_face++;
+  const auto branch = [&](const int b)
+  {
+    return boost::make_function_property_map<Face, Vector>([&branches, b](const Face f) { return branches[f][b]; });
+  };
+  const Maps<Mesh> read(mesh);
+  double misalignment = sentinel;
+  const FF::Result result = FF::frame_field_from_vectors(mesh, branch(0), branch(1), read.alpha, read.rho,
+                                                         read.matching, misalignment, cad_mesh.features());
+  expect(bool(result), "vectors are read: " + result.message);
+  expect(misalignment < 1e-9, "vectors are aligned");
+  for(const Face f : faces(mesh))
+    expect(std::abs(get(read.rho, f) - get(maps.rho, f)) < 1e-9, "vectors have the skewness of their field");
+}
+
+void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
+                       const Streamline_parameters& fuzz_parameters)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  std::vector<FF::Streamline<Point, Face> > lines;
+  const FF::Result result = FF::trace_streamlines(
+    mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
+    cad_mesh.features().streamline_spacing(fuzz_parameters.spacing).streamline_separation(fuzz_parameters.separation)
+                       .maximum_streamline_length(fuzz_parameters.maximum_length));
+  expect(result ? fuzz_parameters.are_in_range() : result.error_code == FF::ERROR_WRONG_PARAMETER && lines.empty(),
+         "an unexpected answer: " + result.message);
+  expect(result || !fuzz_parameters.are_in_range() || !fuzz_parameters.have_default_spacing(),
+         "streamlines are found at the default spacing: " + result.message);
+  for(const FF::Streamline<Point, Face>& line : lines)
+  {
+    expect(line.faces.size() > 0 && line.points.size() == line.faces.size() + 1
+           && line.branches.size() == line.faces.size(), "each segment of a streamline has a face and a branch");
+    expect(!line.is_closed || line.points.front() == line.points.back(), "a closed line ends where it begins");
+    for(const Point& p : line.points)
+      expect(is_finite(p), "points of streamlines are finite");
+  }
+}
+
 // Calls `cad_frame_field()` and its stages one by one.
 template <typename NamedParameters>
 void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance,
-                 const NamedParameters& np)
+                 const Streamline_parameters& streamline_parameters, const NamedParameters& np)
 {
   const Mesh& mesh = cad_mesh.mesh;
   const Expectation expectation(cad_mesh, fuzz_parameters);
@@ -196,6 +247,40 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   for(const std::array<Vector, 4>& branches : field.branches)
     for(const Vector& branch : branches)
       expect(std::abs(branch.squared_length() - 1) < 1e-9, "branches are unit vectors");
+  check_vectors(cad_mesh, maps, field);
+  check_streamlines(cad_mesh, maps, streamline_parameters);
+}
+
+// Features are found on every mesh whose coordinates are finite, unless a parameter is out of range.
+void check_feature_detection(const Cad_mesh<Mesh>& cad_mesh, const Feature_parameters& fuzz_parameters)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const auto is_feature = get(CGAL::dynamic_edge_property_t<int>(), mesh);
+  for(const auto e : edges(mesh))
+    put(is_feature, e, sentinel);
+  const FF::Result result = FF::detect_feature_edges(
+    mesh, is_feature, parameters::strong_angle(fuzz_parameters.strong_angle).weak_angle(fuzz_parameters.weak_angle)
+                        .minimum_chain_length(fuzz_parameters.minimum_chain_length)
+                        .close_gaps(fuzz_parameters.closes_gaps));
+  const auto points = vertices(mesh);
+  const bool is_mesh_finite =
+    std::all_of(points.begin(), points.end(), [&](const auto v) { return is_finite(mesh.point(v)); });
+  expect(bool(result) == (fuzz_parameters.are_in_range() && is_mesh_finite), "features: " + result.message);
+  std::size_t number_of_ends = 0;
+  for(const auto e : edges(mesh))
+    expect(result ? !is_border(e, mesh) || get(is_feature, e) : get(is_feature, e) == sentinel,
+           "border edges are features, and nothing is written on failure");
+  if(!result)
+    return;
+  FF::dangling_feature_ends(mesh, is_feature, boost::make_function_output_iterator([&](const auto v)
+  {
+    std::size_t number_of_features = 0;
+    for(const Halfedge h : halfedges_around_target(v, mesh))
+      number_of_features += get(is_feature, edge(h, mesh));
+    expect(number_of_features == 1, "one feature ends at a dangling end");
+    ++number_of_ends;
+  }));
+  expect(number_of_ends <= num_vertices(mesh), "a dangling end is listed once");
 }
 
 } // namespace
@@ -217,6 +302,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
     FF::split_overconstrained_faces(cad_mesh.mesh, features);
 
   const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
+  check_feature_detection(cad_mesh, read_feature_parameters(bytes));
+  const Streamline_parameters streamline_parameters = read_streamline_parameters(bytes);
   const auto np = features.support_strategy(fuzz_parameters.support_strategy)
                           .edge_weighting(fuzz_parameters.edge_weighting)
                           .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
@@ -227,9 +314,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
                           .repair_matching(fuzz_parameters.repairs)
                           .index_target_map(guidance.target);
   if(fuzz_parameters.is_guided)
-    check_field(cad_mesh, fuzz_parameters, guidance,
+    check_field(cad_mesh, fuzz_parameters, guidance, streamline_parameters,
                 np.guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight));
   else
-    check_field(cad_mesh, fuzz_parameters, guidance, np);
+    check_field(cad_mesh, fuzz_parameters, guidance, streamline_parameters, np);
   return 0;
 }

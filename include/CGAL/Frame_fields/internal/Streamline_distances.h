@@ -54,20 +54,31 @@ public:
     const Plane_vector from = m_charts.place(piece.face, piece.from);
     const Plane_vector way = m_charts.place(piece.face, piece.to) - from;
     const int number_of_parts = 1 + static_cast<int>(std::abs(cross(axis, way)) / tolerance);
-    for(int i = 0; i < number_of_parts; ++i)
+    std::vector<Part>& parts = parts_of(piece.face, piece.branch);
+    const auto part = [&](const int i)
     {
       const double s = static_cast<double>(i) / number_of_parts, t = static_cast<double>(i + 1) / number_of_parts;
       const Plane_vector a = from + s * way, b = from + t * way;
-      Part part{ cross(axis, 0.5 * (a + b)), dot(axis, a), dot(axis, b), place.arc + sign * s * piece.length,
-                 place.arc + sign * t * piece.length, place.line };
-      if(part.begin > part.end)
+      Part result{ cross(axis, 0.5 * (a + b)), dot(axis, a), dot(axis, b), place.arc + sign * s * piece.length,
+                   place.arc + sign * t * piece.length, place.line };
+      if(result.begin > result.end)
       {
-        std::swap(part.begin, part.end);
-        std::swap(part.arc_at_begin, part.arc_at_end);
+        std::swap(result.begin, result.end);
+        std::swap(result.arc_at_begin, result.arc_at_end);
       }
-      std::vector<Part>& parts = parts_of(piece.face, piece.branch);
-      parts.insert(std::upper_bound(parts.begin(), parts.end(), part.offset, Is_left_of()), part);
+      return result;
+    };
+    if(number_of_parts == 1)
+    {
+      const Part whole = part(0);
+      parts.insert(std::upper_bound(parts.begin(), parts.end(), whole.offset, Is_left_of()), whole);
+      return;
     }
+    const auto number_of_others = static_cast<std::ptrdiff_t>(parts.size());
+    for(int i = 0; i < number_of_parts; ++i)
+      parts.push_back(part(i));
+    std::stable_sort(parts.begin() + number_of_others, parts.end(), Is_left_of());
+    std::inplace_merge(parts.begin(), parts.begin() + number_of_others, parts.end(), Is_left_of());
   }
 
   // Whether a line of the branch pair at a point is nearer to it than `distance`. Of the line of `place` itself, only
@@ -95,6 +106,7 @@ private:
   {
     bool operator()(const Part& part, const double offset) const { return part.offset < offset; }
     bool operator()(const double offset, const Part& part) const { return offset < part.offset; }
+    bool operator()(const Part& a, const Part& b) const { return a.offset < b.offset; }
   };
 
   std::vector<Part>& parts_of(const int face, const int branch)

@@ -19,6 +19,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -53,9 +54,10 @@ inline Result set_streamline_options(const Face_charts& charts, const double spa
   };
   const double largest_number_of_squares = 1e9;
   const double total_area = area(charts);
-  const double smallest_spacing = std::sqrt(total_area / largest_number_of_squares);
+  // In units of the longest edge: what has hardly any area would have too many lines end on an edge.
+  const double smallest_spacing = (std::max)(1e-6, std::sqrt(total_area / largest_number_of_squares));
 
-  options.spacing = spacing == 0 ? std::sqrt(total_area) / 50 : spacing / charts.unit();
+  options.spacing = spacing == 0 ? (std::max)(1e-3, std::sqrt(total_area) / 50) : spacing / charts.unit();
   if(!(options.spacing >= smallest_spacing && std::isfinite(options.spacing)))
     return wrong("streamline_spacing", spacing, "finite and at least "
                                                 + std::to_string(smallest_spacing * charts.unit()));
