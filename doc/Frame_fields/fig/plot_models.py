@@ -43,6 +43,7 @@ def plot_corners(axes, reports):
         places = axes.bar([place + shift for place in range(len(BINS))], bars, 0.4, color=colour,
                           label=f"{words}: {sum(counts):,} in all")
         axes.bar_label(places, [str(bar) if bar else "" for bar in bars], fontsize="x-small")
+    axes.margins(y=0.1)
     axes.set_xticks(range(len(BINS)), [label(*b) for b in BINS], fontsize="small")
     axes.set_xlabel("unmeshable corners of a model")
     axes.set_ylabel("models")
