@@ -85,10 +85,11 @@ private:
     const CGAL::Frame_fields::Eigen_frame_field_solver_traits solver_traits;
     std::vector<double> omega;
     internal::prescribe_rotation<CGAL::Sequential_tag>(m_surface, options, solver_traits, omega);
+    const std::vector<int> face_order = internal::order_faces<CGAL::Sequential_tag>(m_surface, solver_traits);
     m_z.resize(m_surface.number_of_faces());
     for(const internal::Patch& patch : m_surface.patches)
     {
-      const internal::Orthogonal_field_system system(m_surface, patch, omega, solver_traits);
+      const internal::Orthogonal_field_system system(m_surface, patch, omega, face_order);
       auto solver = solver_traits.complex_solver_object();
       std::vector<std::complex<double> > unknowns;
       if(!internal::factor_and_solve(solver, system.matrix(), system.right_hand_side(), unknowns))
