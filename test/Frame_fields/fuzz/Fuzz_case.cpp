@@ -91,11 +91,10 @@ Feature_parameters read_feature_parameters(Byte_reader& bytes)
   return result;
 }
 
-// No spacings but those that bound the number of lines.
 Streamline_parameters read_streamline_parameters(Byte_reader& bytes)
 {
   Streamline_parameters result;
-  result.spacing = one_of({ 0, 0, 0, 1e300, infinity, -1, 1e-300, nan }, bytes);
+  result.spacing = one_of({ 1, 0.2, 0, 1e300, infinity, -1, 1e-300, nan }, bytes);
   result.separation = one_of({ 0.5, 1, 0.2, -1, 1.1, nan }, bytes);
   result.maximum_length = one_of({ infinity, 1, 1e-300, 1e300, 100, 0, -1, nan }, bytes);
   return result;

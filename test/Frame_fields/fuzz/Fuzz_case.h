@@ -52,13 +52,13 @@ struct Feature_parameters
 
 struct Streamline_parameters
 {
-  double spacing = 0, separation = 0, maximum_length = 0;
+  double spacing = 0, separation = 0, maximum_length = 0; // the spacing in terms of the longest edge, 0 by default
 
   bool have_default_spacing() const { return spacing == 0; }
   bool are_in_range() const { return separation >= 0 && separation <= 1 && maximum_length > 0; }
 };
 
-// Of the bytes that are left: zeros stand for the defaults.
+// Of the bytes that are left; zeros stand for usual values.
 Feature_parameters read_feature_parameters(Byte_reader& bytes);
 Streamline_parameters read_streamline_parameters(Byte_reader& bytes);
 

@@ -166,6 +166,18 @@ void check_vectors(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, const
     expect(std::abs(get(read.rho, f) - get(maps.rho, f)) < 1e-9, "vectors have the skewness of their field");
 }
 
+// A spacing at which there are few lines.
+double longest_edge(const Mesh& mesh)
+{
+  double result = 0;
+  for(const Halfedge h : halfedges(mesh))
+  {
+    const Vector way = mesh.point(target(h, mesh)) - mesh.point(source(h, mesh));
+    result = (std::max)(result, std::hypot(way.x(), way.y(), way.z()));
+  }
+  return result;
+}
+
 void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
                        const Streamline_parameters& fuzz_parameters)
 {
@@ -173,7 +185,8 @@ void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
   std::vector<FF::Streamline<Point, Face> > lines;
   const FF::Result result = FF::trace_streamlines(
     mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
-    cad_mesh.features().streamline_spacing(fuzz_parameters.spacing).streamline_separation(fuzz_parameters.separation)
+    cad_mesh.features().streamline_spacing(fuzz_parameters.spacing * longest_edge(mesh))
+                       .streamline_separation(fuzz_parameters.separation)
                        .maximum_streamline_length(fuzz_parameters.maximum_length));
   expect(result ? fuzz_parameters.are_in_range() : result.error_code == FF::ERROR_WRONG_PARAMETER && lines.empty(),
          "an unexpected answer: " + result.message);
@@ -189,10 +202,66 @@ void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
   }
 }
 
+// Puts numbers of any size in up to three places of a field.
+void spoil(const Mesh& mesh, const Maps<Mesh>& maps, Byte_reader& bytes)
+{
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double numbers[] = { 0, 1e-3, 1e3, 1e9, -1e18, 1e300, infinity, nan };
+  const int largest = std::numeric_limits<int>::max(), integers[] = { 0, 1, -4, 1000, largest, -largest, -largest - 1 };
+  for(unsigned int n = bytes.below(4); n > 0; --n)
+  {
+    const Face f(bytes.byte() % num_faces(mesh));
+    const Halfedge h = halfedge(f, mesh);
+    const unsigned int kind = bytes.below(4);
+    if(kind == 0)
+      put(maps.alpha, f, numbers[bytes.below(8)]);
+    else if(kind == 1)
+      put(maps.rho, f, numbers[bytes.below(8)]);
+    else
+      put(maps.matching, h, integers[bytes.below(7)]);
+    if(kind == 3 && get(maps.matching, h) > -largest)
+      put(maps.matching, opposite(h, mesh), -get(maps.matching, h));
+  }
+}
+
+// What reads a field is told of one that is wrong, and may not see it, but writes nothing if it does.
+void check_spoilt_field(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, Byte_reader& bytes)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const auto features = cad_mesh.features();
+  const auto expect_answer = [](const FF::Result& result, const bool is_untouched)
+  {
+    expect(result || result.error_code == FF::ERROR_WRONG_FIELD, "an unexpected answer: " + result.message);
+    expect(result || is_untouched, "outputs stay untouched on failure");
+  };
+  spoil(mesh, maps, bytes);
+  const Maps<Mesh> output(mesh);
+  put_sentinels(mesh, output);
+  const FF::Result indices = FF::singularity_indices(mesh, maps.alpha, maps.matching, output.index,
+                                                     features.skewness_map(maps.rho));
+  expect_answer(indices, hold_sentinels(mesh, output));
+  FF::Field_quality quality;
+  quality.energy = sentinel;
+  const FF::Result measured = FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, features);
+  expect_answer(measured, quality.energy == sentinel);
+  std::vector<FF::Streamline<Point, Face> > lines;
+  const FF::Result traced =
+    FF::trace_streamlines(mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
+                          features.maximum_streamline_length(longest_edge(mesh)));
+  expect_answer(traced, lines.empty());
+  for(const Face f : faces(mesh))
+    put(output.alpha, f, get(maps.alpha, f));
+  const FF::Result relaxed =
+    FF::relax_frame_field(mesh, output.alpha, output.rho, features.matching_map(maps.matching));
+  const auto all_faces = faces(mesh);
+  expect_answer(relaxed, std::all_of(all_faces.begin(), all_faces.end(), [&](const Face f)
+                                     { return get(output.rho, f) == sentinel; }));
+}
+
 // Calls `cad_frame_field()` and its stages one by one.
 template <typename NamedParameters>
 void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance,
-                 const Streamline_parameters& streamline_parameters, const NamedParameters& np)
+                 Byte_reader& bytes, const NamedParameters& np)
 {
   const Mesh& mesh = cad_mesh.mesh;
   const Expectation expectation(cad_mesh, fuzz_parameters);
@@ -248,7 +317,8 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
     for(const Vector& branch : branches)
       expect(std::abs(branch.squared_length() - 1) < 1e-9, "branches are unit vectors");
   check_vectors(cad_mesh, maps, field);
-  check_streamlines(cad_mesh, maps, streamline_parameters);
+  check_streamlines(cad_mesh, maps, read_streamline_parameters(bytes));
+  check_spoilt_field(cad_mesh, maps, bytes);
 }
 
 // Features are found on every mesh whose coordinates are finite, unless a parameter is out of range.
@@ -303,7 +373,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
 
   const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
   check_feature_detection(cad_mesh, read_feature_parameters(bytes));
-  const Streamline_parameters streamline_parameters = read_streamline_parameters(bytes);
   const auto np = features.support_strategy(fuzz_parameters.support_strategy)
                           .edge_weighting(fuzz_parameters.edge_weighting)
                           .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
@@ -314,9 +383,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
                           .repair_matching(fuzz_parameters.repairs)
                           .index_target_map(guidance.target);
   if(fuzz_parameters.is_guided)
-    check_field(cad_mesh, fuzz_parameters, guidance, streamline_parameters,
+    check_field(cad_mesh, fuzz_parameters, guidance, bytes,
                 np.guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight));
   else
-    check_field(cad_mesh, fuzz_parameters, guidance, streamline_parameters, np);
+    check_field(cad_mesh, fuzz_parameters, guidance, bytes, np);
   return 0;
 }

@@ -53,6 +53,7 @@ inline Patch_result indices_in_patch(const Cut_surface& surface, const Patch& pa
                                      const std::vector<int>& matching, std::vector<int>& index)
 {
   const double tolerance = 1e-6;
+  const double largest_index = 1e9; // what is larger has no digits left for the tolerance, or is no int
 
   std::vector<double> sum_of_rotations(patch.sectors.size(), 0);
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
@@ -65,7 +66,8 @@ inline Patch_result indices_in_patch(const Cut_surface& surface, const Patch& pa
   {
     const double turns = (sum_of_rotations[s - patch.sectors.begin_index] - surface.total_angle[s]) / (2 * CGAL_PI);
     const double four_times_index = 4 * (turns + (surface.is_constrained_sector(s) ? 0.5 : 1));
-    if(!(std::abs(four_times_index - std::round(four_times_index)) <= tolerance))
+    if(!(std::abs(four_times_index - std::round(four_times_index)) <= tolerance
+         && std::abs(four_times_index) <= largest_index))
       return { ERROR_WRONG_FIELD, s };
     index[s] = static_cast<int>(std::lround(four_times_index));
   }
