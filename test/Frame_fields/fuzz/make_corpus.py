@@ -116,9 +116,9 @@ def files():
     for kind_of_coordinates in range(0, 24, 3):
         special = [tuple((kind_of_coordinates * (k == i) + k + i) % 24 for k in range(3)) for i in range(9)]
         yield case(f"special_{kind_of_coordinates}", (special, grid(2, 2)[1]), kind=SPECIAL)
-    roof = [(6 * i, 12 * j, -abs(i - 1) * (1 if j in (3, 4) else 7)) for j in range(8) for i in range(3)]
-    yield case("gap", (roof, grid(2, 7)[1]), rest=bytes([0, 0, 0, 1]))
-    yield case("short_chains", (roof, grid(2, 7)[1]), rest=bytes([0, 0, 4]))
+    roof = [(2 * i, 16 * j, -abs(i - 1) * (0.1 if j in (3, 4) else 0.28)) for j in range(8) for i in range(3)]
+    yield case("gap", (roof, grid(2, 7)[1]), rest=bytes([2, 2, 0, 1]))
+    yield case("short_chains", (roof, grid(2, 7)[1]), rest=bytes([2, 2, 4]))
     yield case("streamlines", grid(4, 4), rest=bytes([0] * 4 + [0, 1, 4]))
     yield case("spoilt_angle", grid(4, 4), rest=bytes([0] * 7 + [1, 5, 0, 5]))
     yield case("spoilt_skewness", grid(4, 4), rest=bytes([0] * 7 + [1, 5, 1, 7]))
