@@ -51,7 +51,7 @@ inline Complex mean_edge_value(const Cut_surface& surface, const int face)
 // The values of a field in the faces of a patch, those that vanish replaced. Where the values around a face cancel out,
 // every direction costs the same, and the rounding errors of the solver would choose one. Such faces, and connected
 // groups of them as a whole, take the mean direction of their edges instead, which depends neither on the solver nor on
-// the numbers of the faces.
+// the numbers of the faces. There is none in an equilateral face, and around a vertex it depends on the path.
 template <typename Field_system>
 class Field_without_zeros
 {
