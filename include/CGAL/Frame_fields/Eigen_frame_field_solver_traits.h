@@ -49,9 +49,8 @@ public:
   /// factors `matrix`; returns `false` if a pivot vanishes.
   bool factor(const Hermitian_matrix<Scalar>& matrix)
   {
-    const Eigen::Map<const Matrix> view(matrix.size(), matrix.size(), static_cast<int>(matrix.row.size()),
-                                        matrix.column_begin.data(), matrix.row.data(), matrix.value.data());
-    m_factorization->compute(Matrix(view));
+    m_factorization->compute(View(matrix.size(), matrix.size(), static_cast<int>(matrix.row.size()),
+                                  matrix.column_begin.data(), matrix.row.data(), matrix.value.data()));
     return m_factorization->info() == Eigen::Success;
   }
 
@@ -65,9 +64,9 @@ public:
   }
 
 private:
-  typedef Eigen::SparseMatrix<Scalar> Matrix;
+  typedef Eigen::Map<const Eigen::SparseMatrix<Scalar> > View;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
-  typedef Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int> > Factorization;
+  typedef Eigen::SimplicialLDLT<View, Eigen::Lower, Eigen::NaturalOrdering<int> > Factorization;
 
   std::unique_ptr<Factorization> m_factorization; // Eigen's class cannot be moved
 };

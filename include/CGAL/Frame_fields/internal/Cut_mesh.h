@@ -287,6 +287,29 @@ private:
                                                   in_unit(points[k], m_surface.length_unit));
   }
 
+  // Sets the points of the faces from number `begin` on.
+  Result read_block(const std::size_t begin, const std::size_t end, std::vector<Triangle_points>& block) const
+  {
+    for(std::size_t f = begin; f < end; ++f)
+      if(const Result result = read_points(f, block[f - begin]); !result)
+        return result;
+    return {};
+  }
+
+  void measure_block(const std::size_t begin, const std::size_t end, const std::vector<Triangle_points>& block)
+  {
+    const std::size_t share_size = 256;
+    std::vector<std::size_t> shares;
+    for(std::size_t share = begin; share < end; share += share_size)
+      shares.push_back(share);
+    CGAL::for_each<Concurrency_tag>(shares, [&](const std::size_t share) -> bool
+    {
+      for(std::size_t f = share; f < (std::min)(share + share_size, end); ++f)
+        measure_face(f, block[f - begin]);
+      return true;
+    });
+  }
+
   // One thread reads the mesh, since the caller's maps may not bear more, block after block; all measure a block.
   Result measure(const bool measures_lengths)
   {
@@ -294,23 +317,14 @@ private:
       m_surface.length_unit = length_unit();
     m_surface.angle.resize(3 * m_faces.size());
     m_surface.length.resize(measures_lengths ? 3 * m_faces.size() : 0);
-    const std::size_t block_size = 4096, share_size = 256;
+    const std::size_t block_size = 4096;
     std::vector<Triangle_points> block((std::min)(block_size, m_faces.size()));
     for(std::size_t begin = 0; begin < m_faces.size(); begin += block_size)
     {
       const std::size_t end = (std::min)(begin + block_size, m_faces.size());
-      for(std::size_t f = begin; f < end; ++f)
-        if(const Result result = read_points(f, block[f - begin]); !result)
-          return result;
-      std::vector<std::size_t> shares;
-      for(std::size_t share = begin; share < end; share += share_size)
-        shares.push_back(share);
-      CGAL::for_each<Concurrency_tag>(shares, [&](const std::size_t share) -> bool
-      {
-        for(std::size_t f = share; f < (std::min)(share + share_size, end); ++f)
-          measure_face(f, block[f - begin]);
-        return true;
-      });
+      if(const Result result = read_block(begin, end, block); !result)
+        return result;
+      measure_block(begin, end, block);
     }
     return {};
   }
