@@ -136,10 +136,11 @@ void for_each_solver_traits(const Visit& visit)
   visit("Eigen", Eigen_frame_field_solver_traits());
 #ifdef CGAL_CHOLMOD_ENABLED
   visit("Cholmod", Cholmod_frame_field_solver_traits());
-  visit("Automatic", Automatic_frame_field_solver_traits<Cholmod_frame_field_solver_traits>());
+  visit("Automatic_Cholmod", Automatic_frame_field_solver_traits<Cholmod_frame_field_solver_traits>());
 #endif
 #ifdef CGAL_AMGCL_ENABLED
   visit("Amgcl", Amgcl_frame_field_solver_traits());
+  visit("Automatic_Amgcl", Automatic_frame_field_solver_traits<Amgcl_frame_field_solver_traits>());
 #endif
 }
 

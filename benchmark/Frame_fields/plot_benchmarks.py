@@ -121,13 +121,14 @@ def targets(figures):
         yield (f"{shape} of 33K faces, times the plain field",
                quotient(seconds, figures.seconds(PLAIN, shape, "33K", "Eigen")), 3, True)
     for shape, size, solver in (("quilt", "33K", "Eigen"), ("fan", "33K", "Eigen"), ("quilt", "2M", "Eigen"),
-                                ("star", "2M", "Automatic")):
-        yield (f"{shape} of {size} faces, % outside the solvers",
+                                ("star", "2M", "Automatic_Cholmod"), ("star", "2M", "Automatic_Amgcl")):
+        yield (f"{shape} of {size} faces, {solver}, % outside the solvers",
                scaled(figures.value("share_outside_solvers", WHOLE, shape, size, solver), 100), 25, True)
     yield "quilt of 2M faces, seconds", figures.seconds(WHOLE, "quilt", "2M", "Eigen"), 30, True
-    yield "star of 2M faces, automatic, seconds", figures.seconds(WHOLE, "star", "2M", "Automatic"), 90, True
     yield "quilt, growth of the time per face from 33K to 2M", growth("quilt", "Eigen"), 1.5, True
-    yield "star, automatic, growth of the time per face from 33K to 2M", growth("star", "Automatic"), 2.5, True
+    for solver in ("Automatic_Cholmod", "Automatic_Amgcl"):
+        yield f"star of 2M faces, {solver}, seconds", figures.seconds(WHOLE, "star", "2M", solver), 90, True
+        yield f"star, {solver}, growth of the time per face from 33K to 2M", growth("star", solver), 2.5, True
     for size in figures.sizes("quilt"):
         yield (f"quilt of {size} faces, speedup by two threads",
                quotient(figures.wall_seconds(WHOLE, "quilt", size, "Eigen", 1),

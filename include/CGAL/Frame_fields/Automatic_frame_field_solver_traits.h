@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/elimination_order.h>
 
 #include <CGAL/tags.h>
 
@@ -115,10 +116,15 @@ public:
                           m_threshold);
   }
 
-  /// returns the order that `SmallSolverTraits` gives.
+  /// returns the order that the solver traits for `pattern.size()` rows gives; the natural one if this is
+  /// `LargeSolverTraits` and leaves the order to its solvers.
   std::vector<int> elimination_order(const Hermitian_matrix<float>& pattern) const
   {
-    return m_small_solver_traits.elimination_order(pattern);
+    if(pattern.size() < m_threshold)
+      return m_small_solver_traits.elimination_order(pattern);
+    if constexpr(internal::Chooses_elimination_order<LargeSolverTraits>::value)
+      return m_large_solver_traits.elimination_order(pattern);
+    return internal::natural_order(pattern.size());
   }
 
 private:

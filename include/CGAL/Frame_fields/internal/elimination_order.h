@@ -35,6 +35,13 @@ struct Chooses_elimination_order<
   std::void_t<decltype(std::declval<const SolverTraits&>().elimination_order(
     std::declval<const Hermitian_matrix<float>&>()))> > : std::true_type {};
 
+inline std::vector<int> natural_order(const int size)
+{
+  std::vector<int> result(size);
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
 // The numbers from 0 to `size` - 1 in the order in which unknowns should be eliminated, the natural one if the solvers
 // find their own. `emit(add)` must call `add(i, j, 1)` once or more for each two neighbors.
 template <typename SolverTraits, typename Emit>
@@ -45,9 +52,7 @@ std::vector<int> elimination_order(const int size, const Emit& emit, const Solve
     if(size > 0)
       return solver_traits.elimination_order(assemble<float>(size, emit));
   }
-  std::vector<int> result(size);
-  std::iota(result.begin(), result.end(), 0);
-  return result;
+  return natural_order(size);
 }
 
 // The faces of a patch in the order in which a system with unknowns in its faces should number them.
