@@ -335,6 +335,29 @@ TYPED_TEST(Wrong_field, with_a_matching_that_is_not_opposite)
   this->expect_untouched();
 }
 
+// A matching changes the indices at the two ends of its edge by as much as it changes itself.
+TYPED_TEST(Wrong_field, with_an_index_beyond_a_thousand_million)
+{
+  const auto& mesh = this->cad_mesh.mesh;
+  const auto h = this->first_halfedge([&](const auto h) { return !this->is_constrained(h); });
+  const auto add_turns = [&](const int turns)
+  {
+    put(this->maps.matching, h, get(this->maps.matching, h) + turns);
+    put(this->maps.matching, opposite(h, mesh), get(this->maps.matching, opposite(h, mesh)) - turns);
+  };
+  add_turns(1500000000);
+  expect_failure(FF::ERROR_WRONG_FIELD, this->indices());
+  this->expect_untouched();
+
+  add_turns(-1500000000);
+  ASSERT_TRUE(this->indices());
+  const int at_target = get(this->maps.index, h), at_source = get(this->maps.index, opposite(h, mesh));
+  add_turns(100000000);
+  ASSERT_TRUE(this->indices());
+  EXPECT_EQ(at_target + 100000000, get(this->maps.index, h));
+  EXPECT_EQ(at_source - 100000000, get(this->maps.index, opposite(h, mesh)));
+}
+
 TYPED_TEST(Wrong_field, with_a_prescribed_rotation_that_is_not_opposite_or_not_finite)
 {
   const auto h = this->first_halfedge([&](const auto h) { return !this->is_constrained(h); });

@@ -346,6 +346,70 @@ TYPED_TEST(Streamlines, end_at_singular_sectors)
   EXPECT_GE(number_of_radii, n);
 }
 
+// Three right angles around the corner of a cube: index 1/4. Lines that run at it would find a way on.
+TYPED_TEST(Streamlines, end_at_a_singular_vertex_that_has_a_way_on)
+{
+  typedef typename boost::graph_traits<TypeParam>::face_descriptor Face;
+  const Model model{ { Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1) },
+                     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 } }, {} };
+  const Cad_mesh<TypeParam> cad_mesh(model, false);
+  const Maps<TypeParam> maps(cad_mesh.mesh);
+  ASSERT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
+                                  parameters::join(parameters::matching_map(maps.matching), cad_mesh.features())));
+  const auto is_corner = [](const Point& p) { return CGAL::squared_distance(p, Point(0, 0, 0)) < 1e-18; };
+  for(const int n : { 3, 4, 7 })
+  {
+    std::vector<FF::Streamline<Point, Face> > lines; // some of them at 1 / sqrt(2) from a border edge
+    ASSERT_TRUE(FF::trace_streamlines(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
+                                      parameters::streamline_spacing(std::sqrt(0.5) / n)));
+    std::size_t number_of_ends = 0;
+    for(const auto& line : lines)
+    {
+      EXPECT_TRUE(std::none_of(line.points.begin() + 1, line.points.end() - 1, is_corner));
+      number_of_ends += is_corner(line.points.front()) + is_corner(line.points.back());
+    }
+    EXPECT_GE(number_of_ends, 1u);
+  }
+}
+
+// Around the center of a hexagon, a line arrives in the direction of 30 degrees. The field leads away from there on one
+// side by 20 degrees and on the other side by 40.
+TYPED_TEST(Streamlines, take_the_straightest_of_several_ways_on)
+{
+  Model model;
+  model.points.emplace_back(0, 0, 0);
+  for(int k = 0; k < 6; ++k)
+    model.points.emplace_back(std::cos(pi / 3 * k), std::sin(pi / 3 * k), 0);
+  for(std::size_t k = 0; k < 6; ++k) // the line begins in the first face, between 180 and 240 degrees
+    model.triangles.push_back({ 0, 1 + (k + 3) % 6, 1 + (k + 4) % 6 });
+
+  const double nearer_way_is_left[6] = { 0, -10, -40, 20, 20, 20 };
+  const double nearer_way_is_right[6] = { 0, -20, -20, -20, 40, 10 };
+  for(const auto& turn_of_face : { nearer_way_is_left, nearer_way_is_right })
+  {
+    Flat_case<TypeParam> flat_case(model, 30);
+    std::size_t k = 0;
+    for(const auto f : faces(flat_case.cad_mesh.mesh))
+      put(flat_case.maps.alpha, f, get(flat_case.maps.alpha, f) + turn_of_face[k++] * degree);
+
+    std::size_t number_of_lines = 0;
+    for(auto line : flat_case.trace(parameters::streamline_spacing(10)))
+    {
+      if(line.points.front().x() > line.points.back().x())
+        std::reverse(line.points.begin(), line.points.end());
+      const auto center = std::find_if(line.points.begin(), line.points.end(), [](const Point& p)
+                                       { return CGAL::squared_distance(p, Point(0, 0, 0)) < 1e-18; });
+      if(center == line.points.end())
+        continue;
+      ASSERT_NE(line.points.end() - 1, center);
+      ++number_of_lines;
+      const Vector onward = *(center + 1) - *center;
+      EXPECT_NEAR((30 + turn_of_face[3]) * degree, std::atan2(onward.y(), onward.x()), 1e-9);
+    }
+    EXPECT_EQ(1u, number_of_lines);
+  }
+}
+
 TYPED_TEST(Streamlines, do_not_depend_on_numbering_or_position)
 {
   const Model model = regular_polygon(7, 0.3);
