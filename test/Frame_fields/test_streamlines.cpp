@@ -372,15 +372,18 @@ TYPED_TEST(Streamlines, end_at_a_singular_vertex_that_has_a_way_on)
   }
 }
 
-// Around the center of a hexagon, a line arrives in the direction of 30 degrees. The field leads away from there on one
+// A line arrives at the center of a hexagon in the direction of 30 degrees. The field leads away from there on one
 // side by 20 degrees and on the other side by 40.
 TYPED_TEST(Streamlines, take_the_straightest_of_several_ways_on)
 {
   Model model;
   model.points.emplace_back(0, 0, 0);
   for(int k = 0; k < 6; ++k)
-    model.points.emplace_back(std::cos(pi / 3 * k), std::sin(pi / 3 * k), 0);
-  for(std::size_t k = 0; k < 6; ++k) // the line begins in the first face, between 180 and 240 degrees
+  {
+    const double radius = (k == 3 || k == 4) ? 1.2 : 1; // lines begin in the largest face, here the first one
+    model.points.emplace_back(radius * std::cos(pi / 3 * k), radius * std::sin(pi / 3 * k), 0);
+  }
+  for(std::size_t k = 0; k < 6; ++k)
     model.triangles.push_back({ 0, 1 + (k + 3) % 6, 1 + (k + 4) % 6 });
 
   const double nearer_way_is_left[6] = { 0, -10, -40, 20, 20, 20 };
