@@ -66,6 +66,10 @@ def text(value, digits=2):
     return "" if value is None else f"{value:.{digits}g}" if abs(value) < 10 else f"{value:.0f}"
 
 
+def label(solver):
+    return solver.replace("_", " with ")
+
+
 def html_table(header, rows):
     lines = ["<table>", "<tr>" + "".join(f"<th>{cell}</th>" for cell in header) + "</tr>"]
     lines += ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
@@ -90,7 +94,8 @@ def time_table(figures):
                          text(quotient(whole("Eigen"), plain)),
                          text(scaled(figures.value("share_outside_solvers", WHOLE, shape, size, "Eigen"), 100)),
                          text(two_threads)])
-    header = ["shape", "faces", *solvers, "ratio to the plain field", "% outside the solvers", "speedup by two threads"]
+    header = ["shape", "faces", *map(label, solvers), "ratio to the plain field", "% outside the solvers",
+              "speedup by two threads"]
     return html_table(header, rows)
 
 
@@ -122,13 +127,13 @@ def targets(figures):
                quotient(seconds, figures.seconds(PLAIN, shape, "33K", "Eigen")), 3, True)
     for shape, size, solver in (("quilt", "33K", "Eigen"), ("fan", "33K", "Eigen"), ("quilt", "2M", "Eigen"),
                                 ("star", "2M", "Automatic_Cholmod"), ("star", "2M", "Automatic_Amgcl")):
-        yield (f"{shape} of {size} faces, {solver}, % outside the solvers",
+        yield (f"{shape} of {size} faces, {label(solver)}, % outside the solvers",
                scaled(figures.value("share_outside_solvers", WHOLE, shape, size, solver), 100), 25, True)
     yield "quilt of 2M faces, seconds", figures.seconds(WHOLE, "quilt", "2M", "Eigen"), 30, True
     yield "quilt, growth of the time per face from 33K to 2M", growth("quilt", "Eigen"), 1.5, True
     for solver in ("Automatic_Cholmod", "Automatic_Amgcl"):
-        yield f"star of 2M faces, {solver}, seconds", figures.seconds(WHOLE, "star", "2M", solver), 90, True
-        yield f"star, {solver}, growth of the time per face from 33K to 2M", growth("star", solver), 2.5, True
+        yield f"star of 2M faces, {label(solver)}, seconds", figures.seconds(WHOLE, "star", "2M", solver), 90, True
+        yield f"star, {label(solver)}, growth of the time per face from 33K to 2M", growth("star", solver), 2.5, True
     for size in figures.sizes("quilt"):
         yield (f"quilt of {size} faces, speedup by two threads",
                quotient(figures.wall_seconds(WHOLE, "quilt", size, "Eigen", 1),
@@ -154,8 +159,8 @@ def plot(figures, path):
             points = [(figures.value("faces", function, shape, size, solver),
                        figures.seconds(function, shape, size, solver)) for size in figures.sizes(shape)]
             points = [point for point in points if None not in point]
-            label = "plain field, Eigen" if function == PLAIN else solver
-            axis.loglog(*zip(*points), style, markersize=3, label=label) if points else None
+            name = "plain field, Eigen" if function == PLAIN else label(solver)
+            axis.loglog(*zip(*points), style, markersize=3, label=name) if points else None
         axis.set_title(f"{shape}, {PATCHES[shape]}")
         axis.set_xlabel("faces")
         axis.grid(True, linewidth=0.3)

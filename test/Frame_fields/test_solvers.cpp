@@ -12,6 +12,9 @@
 
 #include <CGAL/Eigen_solver_traits.h>
 
+#include <numeric>
+#include <vector>
+
 namespace {
 
 using namespace test;
@@ -116,6 +119,27 @@ TEST(Automatic_solver, gives_systems_from_the_threshold_on_to_the_large_solver)
     EXPECT_EQ(std::vector<int>(sizes.begin(), first_large), sorted(small_sizes));
     EXPECT_EQ(std::vector<int>(first_large, sizes.end()), sorted(large_sizes));
   }
+}
+
+struct Reversing_solver_traits : FF::Eigen_frame_field_solver_traits
+{
+  std::vector<int> elimination_order(const FF::Hermitian_matrix<float>& pattern) const
+  {
+    std::vector<int> order(pattern.size());
+    std::iota(order.rbegin(), order.rend(), 0);
+    return order;
+  }
+};
+
+TEST(Automatic_solver, takes_the_order_of_the_solver_for_the_size)
+{
+  const FF::Hermitian_matrix<float> path{ { 0, 2, 4, 5 }, { 0, 1, 1, 2, 2 }, { 1, 1, 1, 1, 1 } };
+  const std::vector<int> natural{ 0, 1, 2 }, reversed{ 2, 1, 0 };
+  typedef FF::Automatic_frame_field_solver_traits<Dense_solver_traits, Reversing_solver_traits> Small_reverses;
+  EXPECT_EQ(reversed, Small_reverses(4).elimination_order(path));
+  EXPECT_EQ(natural, Small_reverses(3).elimination_order(path));
+  typedef FF::Automatic_frame_field_solver_traits<Reversing_solver_traits> Large_reverses;
+  EXPECT_EQ(reversed, Large_reverses(3).elimination_order(path));
 }
 
 #ifdef CGAL_CHOLMOD_ENABLED
