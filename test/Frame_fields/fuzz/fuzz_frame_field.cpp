@@ -183,9 +183,11 @@ void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
 {
   const Mesh& mesh = cad_mesh.mesh;
   std::vector<FF::Streamline<Point, Face> > lines;
+  // The length of the longest edge may be infinite, but 0 stands for the default on all meshes.
+  const double spacing = fuzz_parameters.have_default_spacing() ? 0 : fuzz_parameters.spacing * longest_edge(mesh);
   const FF::Result result = FF::trace_streamlines(
     mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
-    cad_mesh.features().streamline_spacing(fuzz_parameters.spacing * longest_edge(mesh))
+    cad_mesh.features().streamline_spacing(spacing)
                        .streamline_separation(fuzz_parameters.separation)
                        .maximum_streamline_length(fuzz_parameters.maximum_length));
   expect(result ? fuzz_parameters.are_in_range() : result.error_code == FF::ERROR_WRONG_PARAMETER && lines.empty(),
