@@ -76,7 +76,7 @@ private:
 /// \cgalModels{FrameFieldOrderingSolverTraits}
 ///
 /// \tparam LargeSolverTraits a model of `FrameFieldSolverTraits`, for example `Cholmod_frame_field_solver_traits`
-/// \tparam SmallSolverTraits a model of `FrameFieldOrderingSolverTraits`, which gives the order as well
+/// \tparam SmallSolverTraits a model of `FrameFieldOrderingSolverTraits`
 template <typename LargeSolverTraits, typename SmallSolverTraits = Eigen_frame_field_solver_traits>
 class Automatic_frame_field_solver_traits
 {
