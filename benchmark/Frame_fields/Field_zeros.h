@@ -6,11 +6,11 @@
 #include "planar_meshes.h"
 
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/options.h>
-#include <CGAL/Frame_fields/internal/orthogonal_field.h>
-#include <CGAL/Frame_fields/internal/stages.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
+#include <CGAL/Frame_fields/internal/field/stages.h>
 
 #include <CGAL/Named_function_parameters.h>
 

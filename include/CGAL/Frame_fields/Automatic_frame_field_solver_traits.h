@@ -14,7 +14,7 @@
 
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
-#include <CGAL/Frame_fields/internal/elimination_order.h>
+#include <CGAL/Frame_fields/internal/linear/elimination_order.h>
 
 #include <CGAL/tags.h>
 

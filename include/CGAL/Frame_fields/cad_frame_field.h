@@ -15,10 +15,10 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/options.h>
-#include <CGAL/Frame_fields/internal/frame_field.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/field/frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

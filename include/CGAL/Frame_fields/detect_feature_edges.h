@@ -12,8 +12,8 @@
 #define CGAL_FRAME_FIELDS_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/Feature_mesh.h>
-#include <CGAL/Frame_fields/internal/feature_graph.h>
+#include <CGAL/Frame_fields/internal/features/Feature_mesh.h>
+#include <CGAL/Frame_fields/internal/features/feature_graph.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -13,11 +13,11 @@
 #define CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/matching_and_indices.h>
-#include <CGAL/Frame_fields/internal/options.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>

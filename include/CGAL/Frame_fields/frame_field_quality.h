@@ -14,10 +14,10 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Field_quality.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/options.h>
-#include <CGAL/Frame_fields/internal/quality.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/field/quality.h>
 
 #include <CGAL/Named_function_parameters.h>
 

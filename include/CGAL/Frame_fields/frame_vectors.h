@@ -12,8 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_FRAME_VECTORS_H
 #define CGAL_FRAME_FIELDS_FRAME_VECTORS_H
 
-#include <CGAL/Frame_fields/internal/corner_angles.h>
-#include <CGAL/Frame_fields/internal/face_basis.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/face_basis.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>

@@ -13,11 +13,11 @@
 #define CGAL_FRAME_FIELDS_ORTHOGONAL_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/meshable_matching.h>
-#include <CGAL/Frame_fields/internal/options.h>
-#include <CGAL/Frame_fields/internal/stages.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/field/stages.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

@@ -23,7 +23,7 @@ namespace Frame_fields {
 namespace internal {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
-#include <CGAL/Frame_fields/internal/parameters_interface.h>
+#include <CGAL/Frame_fields/internal/named_parameters/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 } // namespace internal
@@ -45,7 +45,7 @@ struct Named_parameters
   {                                                                                  \
     return Named_parameters<K, internal::X, Pack>(k, *this);                         \
   }
-#include <CGAL/Frame_fields/internal/parameters_interface.h>
+#include <CGAL/Frame_fields/internal/named_parameters/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 #define CGAL_add_named_parameter(X, Y, Z)                                            \
@@ -54,7 +54,7 @@ struct Named_parameters
   {                                                                                  \
     return Named_parameters<K, CGAL::internal_np::X, Pack>(k, *this);                \
   }
-#include <CGAL/Frame_fields/internal/reused_parameters_interface.h>
+#include <CGAL/Frame_fields/internal/named_parameters/reused_parameters_interface.h>
 #undef CGAL_add_named_parameter
 };
 
@@ -69,7 +69,7 @@ namespace parameters {
   {                                                                                  \
     return Named_parameters<K, internal::X>(k);                                      \
   }
-#include <CGAL/Frame_fields/internal/parameters_interface.h>
+#include <CGAL/Frame_fields/internal/named_parameters/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 #define CGAL_add_named_parameter(X, Y, Z)                                            \
@@ -78,7 +78,7 @@ namespace parameters {
   {                                                                                  \
     return Named_parameters<K, CGAL::internal_np::X>(k);                             \
   }
-#include <CGAL/Frame_fields/internal/reused_parameters_interface.h>
+#include <CGAL/Frame_fields/internal/named_parameters/reused_parameters_interface.h>
 #undef CGAL_add_named_parameter
 /// \endcond
 

@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_SPLIT_OVERCONSTRAINED_FACES_H
 #define CGAL_FRAME_FIELDS_SPLIT_OVERCONSTRAINED_FACES_H
 
-#include <CGAL/Frame_fields/internal/Editable_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Named_function_parameters.h>

@@ -14,15 +14,15 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Streamline.h>
-#include <CGAL/Frame_fields/internal/Branch_directions.h>
-#include <CGAL/Frame_fields/internal/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/Face_charts.h>
-#include <CGAL/Frame_fields/internal/Streamline_options.h>
-#include <CGAL/Frame_fields/internal/evenly_spaced_streamlines.h>
-#include <CGAL/Frame_fields/internal/field_maps.h>
-#include <CGAL/Frame_fields/internal/options.h>
-#include <CGAL/Frame_fields/internal/streamline_output.h>
+#include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+#include <CGAL/Frame_fields/internal/streamlines/Streamline_options.h>
+#include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
+#include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/streamlines/streamline_output.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FEATURE_MESH_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FEATURE_MESH_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/features/feature_graph.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_type_config.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// A mesh whose features are looked for: the only code of the detection that reads it.
+template <typename TriangleMesh, typename NamedParameters>
+class Feature_mesh
+{
+public:
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+
+  Feature_mesh(const TriangleMesh& tm, const NamedParameters& np)
+    : m_mesh(tm)
+    , m_points(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+        CGAL::get_const_property_map(CGAL::vertex_point, tm)))
+    , m_traits(CGAL::parameters::choose_parameter<Geom_traits>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
+    , m_vertex_number(get(CGAL::dynamic_vertex_property_t<int>(), tm))
+    , m_edge_number(get(CGAL::dynamic_edge_property_t<int>(), tm))
+  {}
+
+  // Reads vertices and edges; the features are the border edges.
+  Result read(Feature_graph& graph)
+  {
+    Result result = read_vertices(graph);
+    if(result)
+      result = check_faces();
+    if(!result)
+      return result;
+    for(const edge_descriptor e : edges(m_mesh))
+    {
+      const halfedge_descriptor h = halfedge(e, m_mesh);
+      put(m_edge_number, e, graph.number_of_edges());
+      m_edges.push_back(e);
+      graph.ends.push_back({ number_of(source(h, m_mesh)), number_of(target(h, m_mesh)) });
+      graph.length.push_back(distance(graph.points[graph.ends.back()[0]], graph.points[graph.ends.back()[1]]));
+      graph.is_border.push_back(is_border(h, m_mesh) || is_border(opposite(h, m_mesh), m_mesh));
+    }
+    graph.is_feature = graph.is_border;
+    return {};
+  }
+
+  // The angles between the normals of the two faces at the edges in degrees; 0 at border edges.
+  std::vector<double> dihedral_angles(const Feature_graph& graph) const
+  {
+    std::vector<double> result;
+    result.reserve(m_edges.size());
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+    {
+      const halfedge_descriptor h = halfedge(m_edges[e], m_mesh);
+      result.push_back(graph.is_border[e] ? 0 : angle_between(normal(graph, h), normal(graph, opposite(h, m_mesh)))
+                                                  * 180 / CGAL_PI);
+    }
+    return result;
+  }
+
+  const std::vector<vertex_descriptor>& vertex_descriptors() const { return m_vertices; }
+  const std::vector<edge_descriptor>& edge_descriptors() const { return m_edges; }
+
+private:
+  typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::const_type
+    Vertex_number_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type Edge_number_map;
+
+  int number_of(const vertex_descriptor v) const { return get(m_vertex_number, v); }
+  int number_of(const edge_descriptor e) const { return get(m_edge_number, e); }
+
+  Result read_vertices(Feature_graph& graph)
+  {
+    for(const vertex_descriptor v : vertices(m_mesh))
+    {
+      put(m_vertex_number, v, graph.number_of_vertices());
+      m_vertices.push_back(v);
+      graph.points.push_back(coordinates_of(get(m_points, v), m_traits));
+      const Coordinates& point = graph.points.back();
+      if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+        return failure(ERROR_NON_FINITE_COORDINATE,
+                       "vertex " + std::to_string(graph.points.size() - 1) + " of vertices(tm)");
+    }
+    return {};
+  }
+
+  Result check_faces() const
+  {
+    std::size_t number = 0;
+    for(const auto f : faces(m_mesh))
+    {
+      if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+        return failure(ERROR_NON_TRIANGULAR_MESH, "face " + std::to_string(number) + " of faces(tm)");
+      ++number;
+    }
+    return {};
+  }
+
+  halfedge_descriptor longest_halfedge(const Feature_graph& graph, const halfedge_descriptor in_face) const
+  {
+    const auto order = [&](const halfedge_descriptor h)
+    {
+      const int e = number_of(edge(h, m_mesh));
+      return std::make_pair(graph.length[e], e);
+    };
+    halfedge_descriptor result = in_face;
+    for(const halfedge_descriptor h : { next(in_face, m_mesh), prev(in_face, m_mesh) })
+      if(order(result) < order(h))
+        result = h;
+    return result;
+  }
+
+  Coordinates normal_with_area(const Feature_graph& graph, const halfedge_descriptor h) const
+  {
+    const Coordinates& p = graph.points[number_of(source(h, m_mesh))];
+    const Coordinates& q = graph.points[number_of(target(h, m_mesh))];
+    const Coordinates& r = graph.points[number_of(target(next(h, m_mesh), m_mesh))];
+    return cross(scaled_direction(p, q), scaled_direction(q, r));
+  }
+
+  // A vector along the normal of the face of a halfedge. A face without area lies along its longest edge and takes the
+  // normal beyond that; longest edges grow on the way, so that it has an end. Zero if there is no face with an area.
+  Coordinates normal(const Feature_graph& graph, halfedge_descriptor h) const
+  {
+    halfedge_descriptor longest = Graph_traits::null_halfedge();
+    while(!is_border(h, m_mesh))
+    {
+      const Coordinates result = normal_with_area(graph, h);
+      if(maximum_norm(result) > 0)
+        return result;
+      const halfedge_descriptor came_from = longest;
+      longest = longest_halfedge(graph, h);
+      if(came_from == opposite(longest, m_mesh))
+        break;
+      h = opposite(longest, m_mesh);
+    }
+    return { 0, 0, 0 };
+  }
+
+  const TriangleMesh& m_mesh;
+  Vertex_point_map m_points;
+  Geom_traits m_traits;
+  Vertex_number_map m_vertex_number;
+  Edge_number_map m_edge_number;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<edge_descriptor> m_edges;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FEATURE_MESH_H

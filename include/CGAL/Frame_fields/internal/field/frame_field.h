@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FIELD_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
+#include <CGAL/Frame_fields/internal/field/relaxation.h>
+#include <CGAL/Frame_fields/internal/field/rotation_demand.h>
+#include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/index_target.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Tells the visitor which stage starts and measures the stages.
+template <typename NamedParameters>
+class Stage_clock
+{
+public:
+  explicit Stage_clock(const NamedParameters& np)
+    : m_visitor(CGAL::parameters::choose_parameter<Visitor>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor)))
+    , m_start(Clock::now())
+  {}
+
+  void start(const Stage stage)
+  {
+    stop();
+    m_stage = stage;
+    unwrap(m_visitor).start_stage(stage);
+    m_stage_start = Clock::now();
+  }
+
+  void stop()
+  {
+    if(m_stage >= 0)
+      m_seconds[m_stage] += seconds_since(m_stage_start);
+    m_stage = -1;
+  }
+
+  Stage_seconds seconds() const
+  {
+    return { m_seconds[CUT_SURFACE], m_seconds[PRESCRIBED_ROTATION], m_seconds[ORTHOGONAL_FIELD],
+             m_seconds[MATCHING_AND_INDICES], m_seconds[RELAXATION], seconds_since(m_start) };
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                             Default_frame_field_visitor>::type Visitor;
+
+  template <typename T>
+  static T& unwrap(T& visitor) { return visitor; }
+  template <typename T>
+  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
+
+  static double seconds_since(const Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  Visitor m_visitor;
+  Clock::time_point m_start, m_stage_start;
+  int m_stage = -1; // -1 between stages
+  std::array<double, RELAXATION + 1> m_seconds{};
+};
+
+// What the pipeline computes; `alpha` is the orthogonal field, which `gamma` relaxes.
+struct Frame_field
+{
+  std::vector<double> omega;            // per dual edge
+  std::vector<double> alpha;            // per face
+  std::vector<int> matching;            // per dual edge
+  std::vector<int> index;               // per sector
+  std::vector<Branch_rotations> gamma;  // per face
+  std::vector<Repaired_sector> repaired_sectors;
+  int number_of_clamped_faces = 0;
+};
+
+template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
+Patch_result compute_frame_field(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
+                                 StageClock& clock, Frame_field& field)
+{
+  clock.start(PRESCRIBED_ROTATION);
+  Patch_result result = prescribe_rotation<ConcurrencyTag>(surface, options, solver_traits, field.omega);
+  if(result.error_code != OK)
+    return result;
+
+  clock.start(ORTHOGONAL_FIELD);
+  // One order for both the orthogonal field and the relaxation: to find it takes as long as a factorization.
+  const std::vector<int> face_order = order_faces<ConcurrencyTag>(surface, solver_traits);
+  result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, face_order, solver_traits, field.alpha);
+  if(result.error_code != OK)
+    return result;
+
+  clock.start(MATCHING_AND_INDICES);
+  result = compute_matching_and_indices<ConcurrencyTag>(surface, field.omega, field.alpha, options, field.matching,
+                                                        field.index, field.repaired_sectors);
+  if(result.error_code != OK)
+    return result;
+
+  if(!options.relax_orthogonality)
+  {
+    field.gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
+    return {};
+  }
+  clock.start(RELAXATION);
+  return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, face_order, solver_traits, field.gamma,
+                               field.number_of_clamped_faces);
+}
+
+inline std::vector<int> sharp_corners_of_surface(const Cut_surface& surface, const double bound)
+{
+  std::vector<int> result;
+  for(const Patch& patch : surface.patches)
+  {
+    const std::vector<int> corners = sharp_corners_of_patch(surface, patch, bound);
+    result.insert(result.end(), corners.begin(), corners.end());
+  }
+  return result;
+}
+
+inline std::vector<int> repaired_sectors_of(const Frame_field& field)
+{
+  std::vector<int> result;
+  for(const Repaired_sector& repaired : field.repaired_sectors)
+    result.push_back(repaired.sector);
+  return result;
+}
+
+inline std::vector<int> unmeshable_sectors_of(const Cut_surface& surface, const Frame_field& field)
+{
+  std::vector<int> result;
+  for(int s = 0; s < surface.number_of_sectors(); ++s)
+    if(is_unmeshable(surface, field.index, s))
+      result.push_back(s);
+  return result;
+}
+
+// Whether the repair made an unmeshable sector meshable; it also changes others, to where the indices went.
+inline bool was_unmeshable(const Cut_surface& surface, const Frame_field& field, const Repaired_sector& repaired)
+{
+  return repaired.rounded_index > maximum_meshable_index && surface.is_constrained_sector(repaired.sector)
+      && !is_unmeshable(surface, field.index, repaired.sector);
+}
+
+template <typename StageClock>
+void write_statistics(const Cut_surface& surface, const Options& options, const Frame_field& field,
+                      const StageClock& clock, Statistics& statistics)
+{
+  statistics.number_of_patches = surface.patches.size();
+  statistics.number_of_unmeshable_sectors = unmeshable_sectors_of(surface, field).size();
+  statistics.number_of_sharp_corners = 0;
+  statistics.number_of_unnatural_corners = 0;
+  for(int sector = 0; sector < surface.number_of_sectors(); ++sector)
+  {
+    if(!is_sharp_corner(surface, sector, options.sharp_corner_bound))
+      continue;
+    ++statistics.number_of_sharp_corners;
+    if(field.index[sector] != natural_index(surface, sector))
+      ++statistics.number_of_unnatural_corners;
+  }
+  statistics.number_of_repaired_sectors = std::count_if(
+    field.repaired_sectors.begin(), field.repaired_sectors.end(),
+    [&](const Repaired_sector& repaired) { return was_unmeshable(surface, field, repaired); });
+  statistics.number_of_clamped_faces = field.number_of_clamped_faces;
+  statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
+  statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);
+  statistics.seconds = clock.seconds();
+}
+
+// What the caller did not ask for is not computed.
+template <typename StageClock>
+void write_statistics(const Cut_surface&, const Options&, const Frame_field&, const StageClock&,
+                      const CGAL::internal_np::Param_not_found) {}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FIELD_FRAME_FIELD_H

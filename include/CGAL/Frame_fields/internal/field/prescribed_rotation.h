@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_PRESCRIBED_ROTATION_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FIELD_PRESCRIBED_ROTATION_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/field/rotation_demand.h>
+#include <CGAL/Frame_fields/internal/linear/assemble.h>
+#include <CGAL/Frame_fields/internal/linear/elimination_order.h>
+#include <CGAL/Frame_fields/internal/linear/solve.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/index_target.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+inline std::vector<int> sharp_corners_of_patch(const Cut_surface& surface, const Patch& patch, const double bound)
+{
+  std::vector<int> result;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    if(is_sharp_corner(surface, s, bound))
+      result.push_back(s);
+  return result;
+}
+
+// The naive fix of Section 3.2 of the paper.
+inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& patch, const double bound,
+                                       std::vector<double>& omega)
+{
+  std::vector<double> share(patch.sectors.size(), 0);
+  for(const int corner : sharp_corners_of_patch(surface, patch, bound))
+  {
+    int number_of_dual_edges = -1; // an open fan has one dual edge less than corners
+    for_each_corner(surface.opposite, surface.first_corner[corner], [&](int) { ++number_of_dual_edges; });
+    share[corner - patch.sectors.begin_index] =
+      rotation_demand_of_sharp_corner(surface.total_angle[corner]) / number_of_dual_edges;
+  }
+  for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    omega[e] = share[surface.sector[surface.dual_edges[e].halfedge] - patch.sectors.begin_index]
+             - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
+}
+
+// Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
+// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation
+// holds as well.
+template <typename SolverTraits>
+bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
+                         const SolverTraits& solver_traits, std::vector<double>& omega)
+{
+  const int pinned = patch.sectors.begin_index;
+  const int size = patch.sectors.size() - 1;
+  std::vector<int> unknown(size + 1); // per sector of the patch, -1 for the pinned one
+  std::iota(unknown.begin(), unknown.end(), -1);
+  const auto unknown_of = [&](const int halfedge) { return unknown[surface.sector[halfedge] - pinned]; };
+
+  const auto emit = [&](const auto& add)
+  {
+    for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    {
+      const int i = unknown_of(surface.dual_edges[e].halfedge);
+      const int j = unknown_of(surface.dual_edges[e].opposite);
+      if(i == j) // omega there enters d omega twice, with both signs
+        continue;
+      if(i >= 0)
+        add(i, i, 1 / surface.weight[e]);
+      if(j >= 0)
+        add(j, j, 1 / surface.weight[e]);
+      if(i >= 0 && j >= 0)
+        add(i, j, -1 / surface.weight[e]);
+    }
+  };
+  const std::vector<int> order = elimination_order(size, emit, solver_traits);
+  std::vector<double> right_hand_side(size);
+  for(int k = 0; k < size; ++k)
+  {
+    unknown[order[k] + 1] = k;
+    right_hand_side[k] = demand[pinned + 1 + order[k]];
+  }
+  auto solver = solver_traits.real_solver_object();
+  std::vector<double> lambda;
+  if(!factor_and_solve(solver, assemble<double>(size, emit), right_hand_side, lambda))
+    return false;
+
+  const auto value = [&](const int halfedge) { return unknown_of(halfedge) < 0 ? 0. : lambda[unknown_of(halfedge)]; };
+  for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    omega[e] = (value(surface.dual_edges[e].halfedge) - value(surface.dual_edges[e].opposite)) / surface.weight[e];
+  return true;
+}
+
+// d omega that gives each sector of the patch its target index (eq. (3) of the paper).
+inline void demand_index_targets(const Cut_surface& surface, const Patch& patch, std::vector<double>& demand)
+{
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
+    const double turns = target_of_sector(surface, s) / 4. - (surface.is_constrained_sector(s) ? 0.5 : 1);
+    demand[s] = surface.total_angle[s] + 2 * CGAL_PI * turns;
+  }
+}
+
+// Sets the demand of the patch. Returns false in `is_needed` if it is zero everywhere.
+inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy,
+                               const double bound, std::vector<double>& demand, bool& is_needed)
+{
+  is_needed = true;
+  if(has_index_targets(surface, patch))
+  {
+    const long long missing = missing_index(surface, patch);
+    if(missing != 0)
+      return { ERROR_POINCARE_HOPF, patch.sectors.begin_index, missing };
+    demand_index_targets(surface, patch, demand);
+    return {};
+  }
+  const std::vector<int> sharp_corners = sharp_corners_of_patch(surface, patch, bound);
+  is_needed = strategy.kind() != Support_strategy::NONE && !sharp_corners.empty();
+  if(!is_needed)
+    return {};
+  const int corner_without_receiver =
+    spread_rotation_demand(surface, patch, sharp_corners, strategy, bound, demand);
+  if(corner_without_receiver >= 0)
+    return { ERROR_NO_RECEIVING_SECTOR, corner_without_receiver };
+  return {};
+}
+
+// Writes omega on the dual edges of the patch, which must be 0 before (Section 3.2 of the paper).
+template <typename SolverTraits>
+Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch& patch,
+                                         const Support_strategy& strategy, const double bound,
+                                         const SolverTraits& solver_traits, std::vector<double>& demand,
+                                         std::vector<double>& omega)
+{
+  if(strategy.kind() == Support_strategy::LOCAL && !has_index_targets(surface, patch))
+  {
+    prescribe_rotation_locally(surface, patch, bound, omega);
+    return {};
+  }
+  bool is_needed;
+  const Patch_result result = set_demand(surface, patch, strategy, bound, demand, is_needed);
+  if(result.error_code != OK || !is_needed)
+    return result;
+  if(!least_norm_rotation(surface, patch, demand, solver_traits, omega))
+    return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
+  return {};
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FIELD_PRESCRIBED_ROTATION_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
+#include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
+#include <CGAL/Frame_fields/internal/field/relaxation.h>
+#include <CGAL/Frame_fields/internal/linear/elimination_order.h>
+#include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The stages of the pipeline on all patches. Values on dual edges belong to their first halfedge.
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result prescribe_rotation(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
+                                std::vector<double>& omega)
+{
+  omega.assign(surface.number_of_dual_edges(), 0);
+  std::vector<double> demand(surface.number_of_sectors(), 0);
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return prescribe_rotation_in_patch(surface, surface.patches[patch], options.support_strategy,
+                                       options.sharp_corner_bound, solver_traits, demand, omega);
+  });
+}
+
+// The faces of the patches, one patch after the other, each in the order in which its systems should number them.
+template <typename ConcurrencyTag, typename SolverTraits>
+std::vector<int> order_faces(const Cut_surface& surface, const SolverTraits& solver_traits)
+{
+  std::vector<int> result(surface.number_of_faces());
+  for_each_patch<ConcurrencyTag>(surface, [&](const int number)
+  {
+    const Patch& patch = surface.patches[number];
+    const std::vector<int> faces = elimination_order_of_faces(surface, patch, solver_traits);
+    std::copy(faces.begin(), faces.end(), result.begin() + patch.faces.begin_index);
+    return Patch_result();
+  });
+  return result;
+}
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
+                                      const std::vector<int>& face_order, const SolverTraits& solver_traits,
+                                      std::vector<double>& alpha)
+{
+  alpha.resize(surface.number_of_faces());
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, face_order, solver_traits, alpha);
+  });
+}
+
+template <typename ConcurrencyTag>
+Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
+                             const std::vector<int>& matching, std::vector<int>& index)
+{
+  index.resize(surface.number_of_sectors());
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return indices_in_patch(surface, surface.patches[patch], alpha, matching, index);
+  });
+}
+
+// The matching nearest to omega, made meshable if the options ask for it. The sectors whose index this changed are
+// added to `repaired_sectors`.
+template <typename ConcurrencyTag>
+Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
+                                          const std::vector<double>& alpha, const Options& options,
+                                          std::vector<int>& matching, std::vector<int>& index,
+                                          std::vector<Repaired_sector>& repaired_sectors)
+{
+  matching.resize(surface.number_of_dual_edges());
+  index.resize(surface.number_of_sectors());
+  std::vector<std::vector<Repaired_sector> > repaired(surface.patches.size());
+  const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int number)
+  {
+    const Patch& patch = surface.patches[number];
+    match_patch(surface, patch, omega, alpha, matching);
+    const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
+    if(indices_result.error_code == OK && has_index_targets(surface, patch))
+      repaired[number] = enforce_index_targets(surface, patch, omega, alpha, matching, index);
+    else if(indices_result.error_code == OK && options.repair_matching)
+      repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
+                                      index);
+    return indices_result;
+  });
+  for(const std::vector<Repaired_sector>& sectors : repaired)
+    repaired_sectors.insert(repaired_sectors.end(), sectors.begin(), sectors.end());
+  return result;
+}
+
+template <typename ConcurrencyTag, typename SolverTraits>
+Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
+                   const Options& options, const std::vector<int>& face_order, const SolverTraits& solver_traits,
+                   std::vector<Branch_rotations>& gamma, int& number_of_clamped_faces)
+{
+  gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
+  std::vector<int> clamped(surface.patches.size(), 0);
+  const Patch_result result = for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  {
+    return relax_patch(surface, surface.patches[patch], alpha, matching, options, face_order, solver_traits, gamma,
+                       clamped[patch]);
+  });
+  number_of_clamped_faces = std::accumulate(clamped.begin(), clamped.end(), 0);
+  return result;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_VANISHING_VALUES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FIELD_VANISHING_VALUES_H
+
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+typedef std::complex<double> Complex;
+
+// The values around a face cancel out if their mean is this much smaller than their mean norm. What solvers leave of
+// such a mean, direct or iterative, is smaller still.
+constexpr double largest_vanishing_ratio = 1e-6;
+
+// That the value of `to` is the one of `from` times `factor`, without the rotation that the field makes between them.
+struct Vanishing_value_link
+{
+  int from, to;
+  Complex factor;
+
+  bool operator<(const Vanishing_value_link& other) const { return from < other.from; }
+};
+
+// The fourth power of the edges of a face, in terms of its circumdiameter, summed up.
+inline Complex mean_edge_value(const Cut_surface& surface, const int face)
+{
+  Complex sum(0);
+  for(int h = 3 * face; h < 3 * face + 3; ++h)
+    sum += std::polar(std::pow(std::sin(surface.angle[next_of(h)]), 4), 4 * halfedge_angle(surface, h));
+  return sum;
+}
+
+// The values of a field in the faces of a patch, those that vanish replaced. Where the values around a face cancel out,
+// every direction costs the same, and the rounding errors of the solver would choose one. Such faces, and connected
+// groups of them as a whole, take the mean direction of their edges instead, which depends neither on the solver nor on
+// the numbers of the faces. There is none in an equilateral face, and around a vertex it depends on the path.
+template <typename Field_system>
+class Field_without_zeros
+{
+public:
+  // `z` are the values of the unknowns of `system`.
+  Field_without_zeros(const Cut_surface& surface, const Patch& patch, const Field_system& system,
+                      std::vector<Complex>& z)
+    : m_surface(surface), m_patch(patch), m_system(system), m_z(z)
+  {}
+
+  void replace_vanishing_values()
+  {
+    if(!has_small_value())
+      return;
+    mark_vanishing_values();
+    collect_links();
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+      if(is_vanishing(f))
+        replace_group(f);
+  }
+
+private:
+  bool has_small_value() const
+  {
+    double smallest = HUGE_VAL, largest = 0;
+    for(const Complex& value : m_z)
+    {
+      smallest = (std::min)(smallest, std::norm(value));
+      largest = (std::max)(largest, std::norm(value));
+    }
+    if(m_system.is_anchored())
+      largest = (std::max)(largest, 1.); // the norm of aligned values and of guides
+    return smallest <= largest_vanishing_ratio * largest_vanishing_ratio * largest;
+  }
+
+  double norm_in(const int face) const
+  {
+    return m_system.unknown(face) < 0 ? 1 : std::abs(m_z[m_system.unknown(face)]);
+  }
+
+  void mark_vanishing_values()
+  {
+    std::vector<double> weight(m_patch.faces.size()), norm(m_patch.faces.size());
+    const auto add = [&](const int face, const double w, const double n)
+    {
+      weight[face - m_patch.faces.begin_index] += w;
+      norm[face - m_patch.faces.begin_index] += w * n;
+    };
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+    {
+      const auto [halfedge, opposite] = m_surface.dual_edges[e];
+      add(face_of(halfedge), m_surface.weight[e], norm_in(face_of(opposite)));
+      add(face_of(opposite), m_surface.weight[e], norm_in(face_of(halfedge)));
+    }
+    m_is_vanishing.assign(m_patch.faces.size(), false);
+    for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
+    {
+      const int i = f - m_patch.faces.begin_index;
+      add(f, guide_weight(m_surface, f), 1);
+      m_is_vanishing[i] = m_system.unknown(f) >= 0
+                          && norm_in(f) * weight[i] <= largest_vanishing_ratio * norm[i];
+    }
+  }
+
+  void collect_links()
+  {
+    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
+    {
+      const int i = face_of(m_surface.dual_edges[e].halfedge), j = face_of(m_surface.dual_edges[e].opposite);
+      if(i != j && is_vanishing(i) && is_vanishing(j))
+      {
+        m_links.push_back({ j, i, m_system.transport(e) });
+        m_links.push_back({ i, j, std::conj(m_system.transport(e)) });
+      }
+    }
+    std::sort(m_links.begin(), m_links.end());
+  }
+
+  // Replaces the values of the faces that are linked with the given one.
+  void replace_group(const int first_face)
+  {
+    std::vector<Vanishing_value_link> group{ { first_face, first_face, Complex(1) } };
+    m_is_vanishing[first_face - m_patch.faces.begin_index] = false;
+    Complex sum(0);
+    for(std::size_t k = 0; k < group.size(); ++k)
+    {
+      const auto [root, face, factor] = group[k];
+      sum += std::conj(factor) * mean_edge_value(m_surface, face);
+      const Vanishing_value_link from_face = { face, face, {} };
+      const auto [begin, end] = std::equal_range(m_links.begin(), m_links.end(), from_face);
+      for(auto link = begin; link != end; ++link)
+        if(is_vanishing(link->to))
+        {
+          m_is_vanishing[link->to - m_patch.faces.begin_index] = false;
+          group.push_back({ root, link->to, link->factor * factor });
+        }
+    }
+    for(const Vanishing_value_link& link : group)
+      m_z[m_system.unknown(link.to)] = link.factor * sum;
+  }
+
+  bool is_vanishing(const int face) const { return m_is_vanishing[face - m_patch.faces.begin_index]; }
+
+  const Cut_surface& m_surface;
+  const Patch& m_patch;
+  const Field_system& m_system;
+  std::vector<Complex>& m_z;
+  std::vector<bool> m_is_vanishing; // per face of the patch
+  std::vector<Vanishing_value_link> m_links;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FIELD_VANISHING_VALUES_H

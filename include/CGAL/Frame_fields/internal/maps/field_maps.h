@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_MAPS_FIELD_MAPS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_MAPS_FIELD_MAPS_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/relaxation.h>
+#include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Between flat arrays and the caller's property maps and named parameters.
+
+template <typename CutMesh>
+Result check_and_cut(const Options& options, CutMesh& cut_mesh)
+{
+  const Result result = check(options);
+  return result ? cut_mesh.build(options) : result;
+}
+
+template <typename CutMesh>
+Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
+{
+  if(patch_result.error_code == OK)
+    return {};
+  const std::string sector = cut_mesh.description_of_sector(patch_result.sector);
+  switch(patch_result.error_code)
+  {
+    case ERROR_POINCARE_HOPF:
+      return failure(ERROR_POINCARE_HOPF,
+                     std::to_string(patch_result.missing_index) + "/4 is missing in the patch of " + sector);
+    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
+      return failure(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, "in the patch of " + sector);
+    default:
+      return failure(patch_result.error_code, sector);
+  }
+}
+
+template <typename CutMesh, typename FaceMap, typename Value>
+void write_on_faces(const CutMesh& cut_mesh, const std::vector<Value>& values, const FaceMap map)
+{
+  for(std::size_t f = 0; f < values.size(); ++f)
+    put(map, cut_mesh.face_descriptors()[f], values[f]);
+}
+
+// Writes the values of the dual edges with opposite signs on their two halfedges, and 0 on all other halfedges. It
+// allocates nothing, so that it cannot fail between two maps.
+template <typename CutMesh, typename Value, typename HalfedgeMap>
+void write_on_dual_edges(const CutMesh& cut_mesh, const std::vector<Value>& values, const HalfedgeMap map)
+{
+  const Cut_surface& surface = cut_mesh.surface();
+  cut_mesh.for_each_halfedge([&](const auto h, const int i)
+  {
+    if(i < 0 || surface.is_constrained(i))
+      put(map, h, Value(0));
+  });
+  for(std::size_t e = 0; e < values.size(); ++e)
+  {
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].halfedge), values[e]);
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].opposite), -values[e]);
+  }
+}
+
+// Writes the values of the sectors on all their halfedges, and 0 on border halfedges.
+template <typename CutMesh, typename Value, typename HalfedgeMap>
+void write_on_sectors(const CutMesh& cut_mesh, const std::vector<Value>& values, const HalfedgeMap map)
+{
+  const std::vector<int>& sector = cut_mesh.surface().sector;
+  cut_mesh.for_each_halfedge([&](const auto h, const int i) { put(map, h, i < 0 ? Value(0) : values[sector[i]]); });
+}
+
+// Writes one halfedge of each sector of a list, which is asked for only if there is an iterator.
+template <typename CutMesh, typename ListSectors, typename OutputIterator>
+void write_sectors(const CutMesh& cut_mesh, const ListSectors& list_sectors, OutputIterator out)
+{
+  for(const int s : list_sectors())
+    *out++ = cut_mesh.halfedge_of(cut_mesh.surface().first_corner[s]);
+}
+
+template <typename CutMesh, typename ListSectors>
+void write_sectors(const CutMesh&, const ListSectors&, const CGAL::internal_np::Param_not_found) {}
+
+template <typename CutMesh, typename FaceMap>
+Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
+{
+  values.reserve(cut_mesh.face_descriptors().size());
+  for(std::size_t f = 0; f < cut_mesh.face_descriptors().size(); ++f)
+  {
+    values.push_back(get(map, cut_mesh.face_descriptors()[f]));
+    if(!std::isfinite(values.back()))
+      return failure(ERROR_WRONG_FIELD, std::string(name) + " is not finite in "
+                                        + cut_mesh.description_of_face(static_cast<int>(f)));
+  }
+  return {};
+}
+
+// Reads values on halfedges that must be opposite on the two halfedges of each dual edge.
+template <typename CutMesh, typename HalfedgeMap, typename Value>
+Result read_from_dual_edges(const CutMesh& cut_mesh, const char* const name, const HalfedgeMap map,
+                            std::vector<Value>& values)
+{
+  const Cut_surface& surface = cut_mesh.surface();
+  std::vector<Value> on_halfedges(surface.number_of_halfedges());
+  cut_mesh.for_each_halfedge([&](const auto h, const int i) { if(i >= 0) on_halfedges[i] = get(map, h); });
+
+  const double tolerance = std::is_integral<Value>::value ? 0 : 1e-9;
+  values.reserve(surface.dual_edges.size());
+  for(const Dual_edge& e : surface.dual_edges)
+  {
+    values.push_back(on_halfedges[e.halfedge]);
+    const double sum = static_cast<double>(on_halfedges[e.halfedge]) + static_cast<double>(on_halfedges[e.opposite]);
+    if(!(std::abs(sum) <= tolerance))
+      return failure(ERROR_WRONG_FIELD, std::string(name) + " is not opposite on the two halfedges of an edge of "
+                                        + cut_mesh.description_of_face(face_of(e.halfedge)));
+  }
+  return {};
+}
+
+// Reads a map given by a named parameter, or leaves `values` empty if it is not given.
+template <typename CutMesh, typename Value>
+Result read_from_dual_edges(const CutMesh&, const char*, const CGAL::internal_np::Param_not_found,
+                            std::vector<Value>&)
+{
+  return {};
+}
+
+// Reads omega, which is 0 if it is not given.
+template <typename CutMesh, typename NamedParameters>
+Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& np, std::vector<double>& omega)
+{
+  const Result result = read_from_dual_edges(
+    cut_mesh, "the prescribed rotation", CGAL::parameters::get_parameter(np, internal::prescribed_rotation), omega);
+  if(result)
+    omega.resize(cut_mesh.surface().number_of_dual_edges(), 0);
+  return result;
+}
+
+template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>
+Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const Options& options,
+                                const std::vector<double>& alpha, std::vector<int>& matching)
+{
+  if(!CGAL::parameters::is_default_parameter<NamedParameters, internal::matching_t>::value)
+    return read_from_dual_edges(cut_mesh, "the matching", CGAL::parameters::get_parameter(np, internal::matching),
+                                matching);
+  std::vector<double> omega;
+  const Result result = read_prescribed_rotation(cut_mesh, np, omega);
+  if(!result)
+    return result;
+  std::vector<int> index;
+  std::vector<Repaired_sector> repaired_sectors;
+  return to_result(cut_mesh, compute_matching_and_indices<ConcurrencyTag>(
+    cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
+}
+
+template <typename CutMesh, typename FaceMap>
+Result read_skewness(const CutMesh& cut_mesh, const FaceMap rho_map, std::vector<double>& rho)
+{
+  return read_from_faces(cut_mesh, "rho", rho_map, rho);
+}
+
+template <typename CutMesh>
+Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not_found, std::vector<double>& rho)
+{
+  rho.assign(cut_mesh.face_descriptors().size(), 0);
+  return {};
+}
+
+// Reads a field as it is.
+template <typename CutMesh, typename AlphaMap, typename RhoMap, typename MatchingMap>
+Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+                  const MatchingMap matching_map, std::vector<double>& alpha, std::vector<double>& rho,
+                  std::vector<int>& matching)
+{
+  Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
+  if(result)
+    result = read_skewness(cut_mesh, rho_map, rho);
+  if(result)
+    result = read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
+  return result;
+}
+
+// Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
+// field must be aligned there.
+template <typename CutMesh, typename AlphaMap, typename RhoMap>
+Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+                            std::vector<double>& alpha)
+{
+  const double tolerance = 1e-7;
+  const auto is_along = [&](const double difference)
+  {
+    return std::abs(std::remainder(difference, CGAL_PI)) <= tolerance;
+  };
+
+  std::vector<double> rho;
+  Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
+  if(result)
+    result = read_skewness(cut_mesh, rho_map, rho);
+  if(!result)
+    return result;
+
+  const Cut_surface& surface = cut_mesh.surface();
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+  {
+    if(!surface.is_aligned(f) || is_along(surface.alignment[f] - alpha[f]))
+      continue;
+    if(!is_along(surface.alignment[f] - alpha[f] - CGAL_PI / 2 - rho[f]))
+      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge or the fixed direction of "
+                                        + cut_mesh.description_of_face(f));
+    alpha[f] += rho[f];
+  }
+  return {};
+}
+
+// Writes the field that the relaxation makes of `alpha`.
+template <typename CutMesh, typename AlphaMap, typename RhoMap>
+void write_relaxed_field(const CutMesh& cut_mesh, const std::vector<double>& alpha,
+                         const std::vector<Branch_rotations>& gamma, const AlphaMap alpha_map, const RhoMap rho_map)
+{
+  for(std::size_t f = 0; f < alpha.size(); ++f)
+  {
+    put(alpha_map, cut_mesh.face_descriptors()[f], alpha[f] + gamma[f][0]);
+    put(rho_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
+  }
+}
+
+// Nothing is written to an output map that was not given.
+template <typename CutMesh, typename Value>
+void write_on_dual_edges(const CutMesh&, const std::vector<Value>&, const CGAL::internal_np::Param_not_found) {}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_MAPS_FIELD_MAPS_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_STREAMLINE_DISTANCES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_STREAMLINE_DISTANCES_H
+
+#include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
+#include <CGAL/Frame_fields/internal/streamlines/Face_neighborhood.h>
+#include <CGAL/Frame_fields/internal/streamlines/Streamline_tracer.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// A place on a streamline: its number and the length traced up to there, negative against the direction it began in.
+struct Streamline_place
+{
+  int line;
+  double arc;
+};
+
+// The streamlines of a patch, for questions of what is near. Pieces of one branch pair in one face are parallel, so
+// they are sorted by their offsets across it.
+class Streamline_distances
+{
+public:
+  Streamline_distances(const Face_charts& charts, const Branch_directions& directions, const Patch& patch,
+                       Face_neighborhood& neighborhood)
+    : m_charts(charts), m_directions(directions), m_neighborhood(neighborhood), m_first_face(patch.faces.begin_index)
+    , m_parts(2 * static_cast<std::size_t>(patch.faces.size()))
+  {}
+
+  // The arc is that of `place` at the start of the piece and grows along it, or falls if `sign` is -1. Where a piece
+  // slides along an edge it is cut into parts that deviate from the branch by less than `tolerance`.
+  void add(const Streamline_piece& piece, const Streamline_place& place, const double sign, const double tolerance)
+  {
+    const Plane_vector axis = m_directions.direction(piece.face, piece.branch % 2);
+    const Plane_vector from = m_charts.place(piece.face, piece.from);
+    const Plane_vector way = m_charts.place(piece.face, piece.to) - from;
+    const int number_of_parts = 1 + static_cast<int>(std::abs(cross(axis, way)) / tolerance);
+    std::vector<Part>& parts = parts_of(piece.face, piece.branch);
+    const auto part = [&](const int i)
+    {
+      const double s = static_cast<double>(i) / number_of_parts, t = static_cast<double>(i + 1) / number_of_parts;
+      const Plane_vector a = from + s * way, b = from + t * way;
+      Part result{ cross(axis, 0.5 * (a + b)), dot(axis, a), dot(axis, b), place.arc + sign * s * piece.length,
+                   place.arc + sign * t * piece.length, place.line };
+      if(result.begin > result.end)
+      {
+        std::swap(result.begin, result.end);
+        std::swap(result.arc_at_begin, result.arc_at_end);
+      }
+      return result;
+    };
+    if(number_of_parts == 1)
+    {
+      const Part whole = part(0);
+      parts.insert(std::upper_bound(parts.begin(), parts.end(), whole.offset, Is_left_of()), whole);
+      return;
+    }
+    const auto number_of_others = static_cast<std::ptrdiff_t>(parts.size());
+    for(int i = 0; i < number_of_parts; ++i)
+      parts.push_back(part(i));
+    std::stable_sort(parts.begin() + number_of_others, parts.end(), Is_left_of());
+    std::inplace_merge(parts.begin(), parts.begin() + number_of_others, parts.end(), Is_left_of());
+  }
+
+  // Whether a line of the branch pair at a point is nearer to it than `distance`. Of the line of `place` itself, only
+  // what the point is beside counts, and not what was traced just before.
+  bool is_line_near(const Chart_point& point, const double distance, const Streamline_place& place)
+  {
+    bool is_near = false;
+    m_neighborhood.walk(point, distance, [&](const Chart_point& p)
+    {
+      is_near = is_part_near(p, distance, place);
+      return !is_near;
+    });
+    return is_near;
+  }
+
+private:
+  // Of a piece of a streamline: from `begin` to `end` along branch 0 or 1, at `offset` to its left.
+  struct Part
+  {
+    double offset, begin, end, arc_at_begin, arc_at_end;
+    int line;
+  };
+
+  struct Is_left_of
+  {
+    bool operator()(const Part& part, const double offset) const { return part.offset < offset; }
+    bool operator()(const double offset, const Part& part) const { return offset < part.offset; }
+    bool operator()(const Part& a, const Part& b) const { return a.offset < b.offset; }
+  };
+
+  std::vector<Part>& parts_of(const int face, const int branch)
+  {
+    return m_parts[2 * static_cast<std::size_t>(face - m_first_face) + branch % 2];
+  }
+
+  bool is_part_near(const Chart_point& point, const double distance, const Streamline_place& place)
+  {
+    const Plane_vector axis = m_directions.direction(point.face, point.branch % 2);
+    const double offset = cross(axis, point.place), along = dot(axis, point.place);
+    const std::vector<Part>& parts = parts_of(point.face, point.branch);
+    for(auto part = std::upper_bound(parts.begin(), parts.end(), offset - distance, Is_left_of());
+        part != parts.end() && part->offset < offset + distance; ++part)
+    {
+      const double nearest = (std::min)(part->end, (std::max)(part->begin, along));
+      if(std::hypot(nearest - along, part->offset - offset) < distance
+         && (part->line != place.line || is_beside_earlier_part(*part, along, distance, place.arc)))
+        return true;
+    }
+    return false;
+  }
+
+  // Without this, a line that comes back to its start would stop before it.
+  static bool is_beside_earlier_part(const Part& part, const double along, const double distance, const double arc)
+  {
+    if(!(part.begin < along && along < part.end))
+      return false;
+    const double t = (along - part.begin) / (part.end - part.begin);
+    return std::abs((1 - t) * part.arc_at_begin + t * part.arc_at_end - arc) > 3 * distance;
+  }
+
+  const Face_charts& m_charts;
+  const Branch_directions& m_directions;
+  Face_neighborhood& m_neighborhood;
+  int m_first_face;
+  std::vector<std::vector<Part> > m_parts; // per face of the patch and branch pair
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_STREAMLINE_DISTANCES_H

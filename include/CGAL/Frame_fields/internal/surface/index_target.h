@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_INDEX_TARGET_H
+#define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_INDEX_TARGET_H
+
+#include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The largest 4 I that a quadrangle mesh can have at a sector on a constrained edge.
+constexpr int maximum_meshable_index = 1;
+
+// The largest |4 I| that may be asked for: indices move by 1/4, and more turns are no use.
+constexpr int largest_index_target = 1000;
+
+inline bool is_sharp_corner(const Cut_surface& surface, const int sector, const double bound)
+{
+  return surface.total_angle[sector] < bound && surface.is_constrained_sector(sector);
+}
+
+// 4 I nearest to what the angle of a sector asks for: 0 inside, 1 at the corner of a square, 0 on a straight border.
+inline int natural_index(const Cut_surface& surface, const int sector)
+{
+  if(!surface.is_constrained_sector(sector))
+    return 0;
+  const double quarters = std::round(2 * surface.total_angle[sector] / CGAL_PI);
+  return (std::min)(maximum_meshable_index, 2 - static_cast<int>(quarters));
+}
+
+// 4 I that the caller gave for a sector, or the natural one.
+inline int target_of_sector(const Cut_surface& surface, const int sector)
+{
+  const bool is_given = !surface.index_target.empty() && surface.index_target[sector] != NO_INDEX_TARGET;
+  return is_given ? surface.index_target[sector] : natural_index(surface, sector);
+}
+
+// Whether the caller gave a target in the patch. Then every sector of the patch has one, its natural index by default.
+inline bool has_index_targets(const Cut_surface& surface, const Patch& patch)
+{
+  return !surface.index_target.empty()
+      && std::any_of(surface.index_target.begin() + patch.sectors.begin_index,
+                     surface.index_target.begin() + patch.sectors.end_index,
+                     [](const int target) { return target != NO_INDEX_TARGET; });
+}
+
+// What the targets of a patch lack to 4 times its Euler characteristic.
+inline long long missing_index(const Cut_surface& surface, const Patch& patch)
+{
+  long long missing = 4LL * euler_characteristic(patch);
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    missing -= target_of_sector(surface, s);
+  return missing;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_SURFACE_INDEX_TARGET_H
