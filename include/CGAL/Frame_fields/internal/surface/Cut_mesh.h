@@ -108,6 +108,7 @@ public:
     return result ? read_index_targets() : result;
   }
 
+  const TriangleMesh& mesh() const { return m_mesh; }
   const Cut_surface& surface() const { return m_surface; }
   const std::vector<face_descriptor>& face_descriptors() const { return m_faces; }
 

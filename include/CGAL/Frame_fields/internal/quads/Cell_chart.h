@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_CELL_CHART_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_CELL_CHART_H
+
+#include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+typedef std::array<std::int64_t, 2> Grid_vector;
+typedef std::array<double, 2> Plane_point;
+
+inline Grid_vector turned(const Grid_vector& d, const int quarter_turns)
+{
+  switch(quarter_turns & 3)
+  {
+    case 0: return d;
+    case 1: return { -d[1], d[0] };
+    case 2: return { -d[0], -d[1] };
+    default: return { d[1], -d[0] };
+  }
+}
+
+inline Grid_vector corner_coordinates(const Seamless_map& map, const int halfedge)
+{
+  return { map.u[halfedge], map.v[halfedge] };
+}
+
+// Twice the signed area of a triangle.
+inline double orientation(const Plane_point& p, const Plane_point& q, const Plane_point& r)
+{
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+// The plane of a cell of a T-mesh, its first corner at the origin and its first side along the positive x-axis, spread
+// over the faces that a walk meets. The position of a face in this plane is exact; only the points that are looked for
+// are rounded.
+class Cell_chart
+{
+public:
+  Cell_chart(const Cut_surface& surface, const Seamless_map& map, const T_mesh& t_mesh, const T_mesh_cell& cell)
+    : m_surface(surface), m_map(map), m_face(cell.face), m_turns(cell.quarter_turns)
+  {
+    const Directed_piece& first = cell.sides[0].front();
+    const T_mesh_piece& piece = t_mesh.pieces[first.piece];
+    const T_mesh_node& node = t_mesh.nodes[first.is_reversed ? piece.target : piece.source];
+    m_origin = coordinates_in_face(node, cell.face);
+  }
+
+  // Walks straight from the point of the last call, at first the origin, to `point`, which must be in the cell.
+  Surface_location locate(const Plane_point& point)
+  {
+    // More steps than this mean that rounding made the walk turn back and forth at a vertex.
+    int steps_left = 3 * m_surface.number_of_faces() + 16;
+    int exit = exit_towards(point);
+    for(; exit >= 0 && m_surface.opposite[exit] >= 0 && steps_left > 0; --steps_left)
+    {
+      cross(exit);
+      exit = exit_towards(point);
+    }
+    m_position = point;
+    return location_in_face(point);
+  }
+
+  // Where the corner at the target of a halfedge of the present face is.
+  Plane_point corner(const int halfedge) const
+  {
+    const Grid_vector x = corner_coordinates(m_map, halfedge);
+    const Grid_vector d = turned({ x[0] - m_origin[0], x[1] - m_origin[1] }, -m_turns);
+    return { static_cast<double>(d[0]), static_cast<double>(d[1]) };
+  }
+
+private:
+  // A node at a vertex has its coordinates in one of the faces there; the others see it at their own corner.
+  Grid_vector coordinates_in_face(const T_mesh_node& node, const int face) const
+  {
+    if(node.face == face || node.sector < 0)
+      return { node.u, node.v };
+    for(int h = 3 * face; h < 3 * face + 3; ++h)
+      if(m_surface.sector[h] == node.sector)
+        return corner_coordinates(m_map, h);
+    return { node.u, node.v };
+  }
+
+  // The halfedge of the present face over which the straight way to `point` leaves it, -1 if the point is in the face.
+  int exit_towards(const Plane_point& point) const
+  {
+    const int first = 3 * m_face;
+    std::array<Plane_point, 3> corners{ corner(first), corner(first + 1), corner(first + 2) };
+    int exit = -1;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int halfedge = first + k;
+      if(orientation(corners[(k + 2) % 3], corners[k], point) >= 0)
+        continue;
+      // Two edges may have the point outside; the way passes their common corner on one side.
+      if(exit < 0)
+        exit = halfedge;
+      else
+      {
+        const int common = next_of(exit) == halfedge ? exit : halfedge; // the corner at its target
+        const bool passes_left = orientation(m_position, point, corners[common - first]) < 0;
+        const int before = common, after = next_of(common);
+        exit = passes_left ? after : before;
+      }
+    }
+    return exit;
+  }
+
+  void cross(const int halfedge)
+  {
+    const int opposite = m_surface.opposite[halfedge];
+    // The target of the halfedge is the source of its opposite.
+    const Grid_vector here = corner_coordinates(m_map, halfedge);
+    const Grid_vector there = corner_coordinates(m_map, previous_of(opposite));
+    const int turns = m_map.quarter_turns[halfedge];
+    const Grid_vector d = turned({ m_origin[0] - here[0], m_origin[1] - here[1] }, turns);
+    m_origin = { there[0] + d[0], there[1] + d[1] };
+    m_turns = (m_turns + turns) & 3;
+    m_face = face_of(opposite);
+  }
+
+  Surface_location location_in_face(const Plane_point& point) const
+  {
+    const int first = 3 * m_face;
+    std::array<Plane_point, 3> corners{ corner(first), corner(first + 1), corner(first + 2) };
+    Surface_location location;
+    location.face = m_face;
+    double sum = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      location.barycentric[k] = (std::max)(0., orientation(corners[(k + 1) % 3], corners[(k + 2) % 3], point));
+      sum += location.barycentric[k];
+    }
+    for(double& weight : location.barycentric)
+      weight = sum > 0 ? weight / sum : 1. / 3;
+    return location;
+  }
+
+  const Cut_surface& m_surface;
+  const Seamless_map& m_map;
+  int m_face;                          // the present face
+  int m_turns;                         // the x-axis is the direction (1, 0) of its chart, turned as often
+  Grid_vector m_origin;                // in its chart
+  Plane_point m_position = { { 0, 0 } };
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_CELL_CHART_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_WRITE_QUAD_MESH_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_WRITE_QUAD_MESH_H
+
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The elements that a quad complex became.
+template <typename QuadMesh>
+struct Written_quads
+{
+  std::vector<typename boost::graph_traits<QuadMesh>::vertex_descriptor> vertices;
+  std::vector<typename boost::graph_traits<QuadMesh>::halfedge_descriptor> sides; // per side of a quad
+  std::vector<typename boost::graph_traits<QuadMesh>::face_descriptor> faces;
+};
+
+// As far as the class of the mesh has this, makes room so that no later allocation fails.
+template <typename Mesh>
+auto reserve_elements(Mesh& mesh, const std::size_t vertices, const std::size_t edges, const std::size_t faces, int)
+  -> decltype(reserve(mesh, vertices, edges, faces))
+{
+  return reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces);
+}
+template <typename Mesh>
+void reserve_elements(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
+
+// Adds the quads to a mesh; `connectivity` must be without conflicts. Points are not set.
+template <typename QuadMesh>
+Written_quads<QuadMesh> write_quads(const Quad_complex& complex, const Quad_connectivity& connectivity,
+                                    QuadMesh& quad_mesh)
+{
+  typedef boost::graph_traits<QuadMesh> Traits;
+  typedef typename Traits::halfedge_descriptor Halfedge;
+
+  const int number_of_sides = static_cast<int>(connectivity.opposite.size());
+  std::size_t number_of_edges = 0;
+  for(int side = 0; side < number_of_sides; ++side)
+    number_of_edges += connectivity.opposite[side] < side;
+  Written_quads<QuadMesh> written;
+  written.vertices.reserve(complex.vertices.size());
+  written.faces.reserve(complex.quads.size());
+  written.sides.resize(number_of_sides);
+  reserve_elements(quad_mesh, complex.vertices.size(), number_of_edges, complex.quads.size(), 0);
+
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    written.vertices.push_back(add_vertex(quad_mesh));
+  for(std::size_t q = 0; q < complex.quads.size(); ++q)
+    written.faces.push_back(add_face(quad_mesh));
+  for(int side = 0; side < number_of_sides; ++side)
+  {
+    const int other = connectivity.opposite[side];
+    if(other >= side)
+      continue; // is made with its opposite
+    const Halfedge h = halfedge(add_edge(quad_mesh), quad_mesh);
+    written.sides[side] = h;
+    if(other >= 0)
+      written.sides[other] = opposite(h, quad_mesh);
+    set_target(h, written.vertices[side_target(complex, side)], quad_mesh);
+    set_target(opposite(h, quad_mesh), written.vertices[side_source(complex, side)], quad_mesh);
+    if(other < 0)
+      set_face(opposite(h, quad_mesh), Traits::null_face(), quad_mesh);
+  }
+  for(int side = 0; side < number_of_sides; ++side)
+  {
+    const Halfedge h = written.sides[side];
+    set_face(h, written.faces[side / 4], quad_mesh);
+    set_next(h, written.sides[next_side(side)], quad_mesh);
+    set_halfedge(written.vertices[side_target(complex, side)], h, quad_mesh);
+    if(side % 4 == 0)
+      set_halfedge(written.faces[side / 4], h, quad_mesh);
+  }
+  // A border goes on with the border edge that ends where its halfedge outside begins to turn; the vertex then has a
+  // border halfedge, as some meshes expect.
+  for(int side = 0; side < number_of_sides; ++side)
+  {
+    if(connectivity.opposite[side] >= 0)
+      continue;
+    int before = previous_side(side);
+    while(connectivity.opposite[before] >= 0)
+      before = previous_side(connectivity.opposite[before]);
+    const Halfedge outside = opposite(written.sides[side], quad_mesh);
+    set_next(outside, opposite(written.sides[before], quad_mesh), quad_mesh);
+    set_halfedge(written.vertices[side_source(complex, side)], outside, quad_mesh);
+  }
+  return written;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_WRITE_QUAD_MESH_H
