@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_FRAME_ENERGY_H
+#define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_FRAME_ENERGY_H
+
+#include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/assemble.h>
+#include <CGAL/Frame_fields/internal/linear/elimination_order.h>
+#include <CGAL/Frame_fields/internal/parameterization/Combed_field.h>
+#include <CGAL/Frame_fields/internal/parameterization/Cut_graph.h>
+#include <CGAL/Frame_fields/internal/parameterization/Map_basis.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The faces of a patch as their frames see them. The map whose differential takes branch 0 to (1, 0) and branch 1 to
+// (0, 1), divided by the target length, is the one that the field asks for.
+class Map_elements
+{
+public:
+  struct Face
+  {
+    std::array<int, 3> vertex;           // of the disk
+    std::array<Vector_2, 3> gradient;    // of the hat functions of the vertices, in the frame
+    double area;                         // in the frame, in square target lengths
+  };
+
+  struct Side
+  {
+    int source, target;  // coordinates that grow along the edge, if it has the positive sign
+    double length;       // with this sign, in target lengths
+    double weight;       // area of its face
+  };
+
+  Map_elements(const Cut_surface& surface, const Patch& patch, const Combed_field& field, const Cut_graph& graph,
+               const std::vector<double>& target_length, const std::vector<Side_edge>& side_edges)
+  {
+    m_faces.reserve(patch.faces.size());
+    for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    {
+      const int first = 3 * (f - patch.faces.begin_index);
+      const auto scaled = [&](const int halfedge)
+      {
+        const Vector_2 edge = field.coordinates(halfedge);
+        return Vector_2{ edge[0] / target_length[f], edge[1] / target_length[f] };
+      };
+      m_faces.push_back(element({ scaled(3 * f), scaled(3 * f + 1), scaled(3 * f + 2) },
+                                { graph.vertex[first], graph.vertex[first + 1], graph.vertex[first + 2] }));
+    }
+    for(const Side_edge& e : side_edges)
+    {
+      const int f = face_of(e.halfedge);
+      m_sides.push_back({ 2 * e.source + e.growing_coordinate, 2 * e.target + e.growing_coordinate,
+                          e.sign * surface.length[e.halfedge] / target_length[f],
+                          m_faces[f - patch.faces.begin_index].area });
+    }
+  }
+
+  const std::vector<Face>& faces() const { return m_faces; }
+  const std::vector<Side>& sides() const { return m_sides; }
+
+private:
+  // A triangle whose height is less than this part of its longest edge counts as one with this height.
+  static constexpr double least_height = 1e-4;
+
+  // `edge[k]` runs to vertex k.
+  static Face element(std::array<Vector_2, 3> edge, const std::array<int, 3>& vertex)
+  {
+    const auto squared_length = [&](const int k) { return dot(edge[k], edge[k]); };
+    int longest = 0;
+    for(int k = 1; k < 3; ++k)
+      if(squared_length(k) > squared_length(longest))
+        longest = k;
+    const int next = (longest + 1) % 3, last = (longest + 2) % 3;
+    const double height = determinant(edge[longest], edge[next]) / squared_length(longest);
+    if(height < least_height)
+    {
+      const double missing = least_height - height;
+      const Vector_2 rise{ -missing * edge[longest][1], missing * edge[longest][0] };
+      for(int k = 0; k < 2; ++k)
+      {
+        edge[next][k] += rise[k];
+        edge[last][k] -= rise[k];
+      }
+    }
+    const double twice_area = determinant(edge[longest], edge[next]);
+    Face face;
+    face.vertex = vertex;
+    face.area = twice_area / 2;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector_2& against = edge[(k + 2) % 3]; // from vertex k + 1 to vertex k + 2
+      face.gradient[k] = { -against[1] / twice_area, against[0] / twice_area };
+    }
+    return face;
+  }
+
+  std::vector<Face> m_faces; // per face of the patch
+  std::vector<Side> m_sides; // per side edge
+};
+
+// The minimization over z of the sum of area |J - I|^2 over the faces, where J is the differential of x = B z, and of
+// area (growth / length - 1)^2 over the constrained edges.
+class Frame_energy
+{
+public:
+  Frame_energy(const Map_elements& elements, const Map_basis& basis) : m_elements(elements), m_basis(basis) {}
+
+  Hermitian_matrix<double> matrix() const
+  {
+    return assemble<double>(m_basis.size(), [this](const auto& add) { for_each_entry(add); });
+  }
+
+  template <typename SolverTraits>
+  std::vector<int> unknowns_in_elimination_order(const SolverTraits& solver_traits) const
+  {
+    return elimination_order(m_basis.size(), [this](const auto& add)
+    {
+      for_each_entry([&](const int i, const int j, double)
+      {
+        if(i != j)
+          add(i, j, 1.f);
+      });
+    }, solver_traits);
+  }
+
+  std::vector<double> right_hand_side() const
+  {
+    std::vector<double> on_coordinates(m_basis.number_of_coordinates(), 0), result;
+    for(const Map_elements::Face& face : m_elements.faces())
+      for(int k = 0; k < 3; ++k)
+        for(int c = 0; c < 2; ++c)
+          on_coordinates[2 * face.vertex[k] + c] += face.area * face.gradient[k][c];
+    for(const Map_elements::Side& side : m_elements.sides())
+    {
+      on_coordinates[side.target] += side.weight / side.length;
+      on_coordinates[side.source] -= side.weight / side.length;
+    }
+    m_basis.multiply_transposed(on_coordinates, result);
+    return result;
+  }
+
+private:
+  template <typename Add>
+  void for_each_entry(const Add& add) const
+  {
+    for(const Map_elements::Face& face : m_elements.faces())
+      for(int a = 0; a < 3; ++a)
+        for(int b = 0; b < 3; ++b)
+        {
+          const double value = face.area * dot(face.gradient[a], face.gradient[b]);
+          for(int c = 0; c < 2; ++c)
+            add_product(2 * face.vertex[a] + c, 2 * face.vertex[b] + c, value, add);
+        }
+    for(const Map_elements::Side& side : m_elements.sides())
+    {
+      const double value = side.weight / (side.length * side.length);
+      add_product(side.source, side.source, value, add);
+      add_product(side.target, side.target, value, add);
+      add_product(side.source, side.target, -value, add);
+      add_product(side.target, side.source, -value, add);
+    }
+  }
+
+  // The part of a lower triangle that `value` between two coordinates makes between the unknowns.
+  template <typename Add>
+  void add_product(const int coordinate_i, const int coordinate_j, const double value, const Add& add) const
+  {
+    m_basis.for_each_term(coordinate_i, [&](const int i, const int factor_i)
+    {
+      m_basis.for_each_term(coordinate_j, [&](const int j, const int factor_j)
+      {
+        if(i >= j)
+          add(i, j, value * factor_i * factor_j);
+      });
+    });
+  }
+
+  const Map_elements& m_elements;
+  const Map_basis& m_basis;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_FRAME_ENERGY_H
