@@ -149,10 +149,30 @@ public:
         m_vertex_of_node[n] = add_vertex(location_of_node(m_t_mesh.nodes[n]));
   }
 
-  void make_quads()
+  void fill_cell(const T_mesh_cell& cell)
   {
-    for(const T_mesh_cell& cell : m_t_mesh.cells)
-      fill_cell(cell);
+    const Cell_chart chart(m_layout.surface, m_layout.map, m_t_mesh, cell);
+    std::array<double, 2> size{ { 0, 0 } };
+    for(int s = 0; s < 2; ++s)
+      for(const Directed_piece& directed : cell.sides[s])
+        size[s] += static_cast<double>(m_t_mesh.pieces[directed.piece].parametric_length);
+    const double width = size[0], height = size[1];
+    place_pieces(cell.sides[0], { { 0, 0 } }, { { 1, 0 } }, chart);
+    place_pieces(cell.sides[1], { { width, 0 } }, { { 0, 1 } }, chart);
+    place_pieces(cell.sides[2], { { width, height } }, { { -1, 0 } }, chart);
+    place_pieces(cell.sides[3], { { 0, height } }, { { 0, -1 } }, chart);
+
+    const Side bottom = collect_side(cell.sides[0]), right = collect_side(cell.sides[1]);
+    Side top = collect_side(cell.sides[2]), left = collect_side(cell.sides[3]);
+    for(Side* const side : { &top, &left })
+    {
+      std::reverse(side->vertices.begin(), side->vertices.end());
+      std::reverse(side->offset.begin(), side->offset.end());
+      const double whole = side->offset.front();
+      for(double& offset : side->offset)
+        offset = whole - offset;
+    }
+    make_grid(bottom, right, top, left, chart);
   }
 
 private:
@@ -273,32 +293,6 @@ private:
       }
     }
     return result;
-  }
-
-  void fill_cell(const T_mesh_cell& cell)
-  {
-    const Cell_chart chart(m_layout.surface, m_layout.map, m_t_mesh, cell);
-    std::array<double, 2> size{ { 0, 0 } };
-    for(int s = 0; s < 2; ++s)
-      for(const Directed_piece& directed : cell.sides[s])
-        size[s] += static_cast<double>(m_t_mesh.pieces[directed.piece].parametric_length);
-    const double width = size[0], height = size[1];
-    place_pieces(cell.sides[0], { { 0, 0 } }, { { 1, 0 } }, chart);
-    place_pieces(cell.sides[1], { { width, 0 } }, { { 0, 1 } }, chart);
-    place_pieces(cell.sides[2], { { width, height } }, { { -1, 0 } }, chart);
-    place_pieces(cell.sides[3], { { 0, height } }, { { 0, -1 } }, chart);
-
-    const Side bottom = collect_side(cell.sides[0]), right = collect_side(cell.sides[1]);
-    Side top = collect_side(cell.sides[2]), left = collect_side(cell.sides[3]);
-    for(Side* const side : { &top, &left })
-    {
-      std::reverse(side->vertices.begin(), side->vertices.end());
-      std::reverse(side->offset.begin(), side->offset.end());
-      const double whole = side->offset.front();
-      for(double& offset : side->offset)
-        offset = whole - offset;
-    }
-    make_grid(bottom, right, top, left, chart);
   }
 
   // The inner vertices are where the straight lines between opposite vertices of the sides cross, so that the quads are
