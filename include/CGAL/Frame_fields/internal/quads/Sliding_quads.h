@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_SLIDING_QUADS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_SLIDING_QUADS_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/quads/Arc_order.h>
+#include <CGAL/Frame_fields/internal/quads/Arc_points.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/quad_shape.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Where a vertex may go.
+struct Slide
+{
+  Surface_location location;
+  double length;      // on an arc: from its start
+  Coordinates point;
+};
+
+// A quad mesh whose vertices slide on the surface, with the shapes of its quads.
+class Sliding_quads
+{
+public:
+  enum Freedom { FIXED, ON_ARC, IN_PATCH };
+
+  Sliding_quads(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
+                const Feature_network& network)
+    : m_complex(complex), m_embedding(embedding), m_network(network), m_walker(surface, embedding)
+    , m_arc_points(embedding, network), m_arc_order(complex, network, m_arc_points)
+    , m_patch_of_face(surface.number_of_faces()), m_normal(4 * complex.quads.size(), Coordinates{ 0, 0, 0 })
+  {
+    for(std::size_t patch = 0; patch < surface.patches.size(); ++patch)
+      for(int f = surface.patches[patch].faces.begin_index; f < surface.patches[patch].faces.end_index; ++f)
+        m_patch_of_face[f] = static_cast<int>(patch);
+    collect_corners();
+    for(const Quad_vertex& v : complex.vertices)
+      m_point.push_back(m_walker.point(v.location));
+    set_normals();
+    for(std::size_t q = 0; q < complex.quads.size(); ++q)
+      m_shape.push_back(quad_shape(points(static_cast<int>(q)), surface_normal(static_cast<int>(q))));
+  }
+
+  int number_of_vertices() const { return static_cast<int>(m_complex.vertices.size()); }
+  int number_of_quads() const { return static_cast<int>(m_complex.quads.size()); }
+
+  Freedom freedom(const int vertex) const
+  {
+    const Quad_vertex& v = m_complex.vertices[vertex];
+    return v.vertex >= 0 ? FIXED : v.arc >= 0 ? ON_ARC : v.patch >= 0 ? IN_PATCH : FIXED;
+  }
+
+  const Quad_vertex& vertex(const int vertex) const { return m_complex.vertices[vertex]; }
+  const std::array<int, 4>& quad(const int quad) const { return m_complex.quads[quad]; }
+  const Coordinates& point(const int vertex) const { return m_point[vertex]; }
+  const Quad_shape& shape(const int quad) const { return m_shape[quad]; }
+  const Surface_walker& walker() const { return m_walker; }
+  const Arc_order& arc_order() const { return m_arc_order; }
+
+  // The corners of a vertex, each four times its quad plus its place in it.
+  const int* corners_begin(const int vertex) const { return m_corner.data() + m_first_corner[vertex]; }
+  const int* corners_end(const int vertex) const { return m_corner.data() + m_first_corner[vertex + 1]; }
+
+  Quad_points points(const int quad) const
+  {
+    const std::array<int, 4>& q = m_complex.quads[quad];
+    return { m_point[q[0]], m_point[q[1]], m_point[q[2]], m_point[q[3]] };
+  }
+
+  // The sum of the unit normals that the surface has at the vertices of a quad, on its side of the arcs.
+  Coordinates surface_normal(const int quad) const
+  {
+    const Coordinates* const n = &m_normal[4 * static_cast<std::size_t>(quad)];
+    return n[0] + n[1] + (n[2] + n[3]);
+  }
+
+  double worst() const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(const Quad_shape& shape : m_shape)
+      result = (std::min)(result, shape.scaled_jacobian);
+    return result;
+  }
+
+  Slide slide_of(const int vertex) const
+  {
+    return { m_complex.vertices[vertex].location, m_arc_order.length(vertex), m_point[vertex] };
+  }
+
+  // Walks from where a vertex is; false if it cannot walk as far inside its patch.
+  bool slide_inside(const int vertex, const Coordinates& displacement, Slide& slide) const
+  {
+    slide.location = m_complex.vertices[vertex].location;
+    slide.length = 0;
+    if(!m_walker.walk(slide.location, displacement))
+      return false;
+    slide.point = m_walker.point(slide.location);
+    return true;
+  }
+
+  // Slides on its arc to a length; false if its neighbours are too near to that.
+  bool slide_on_arc(const int vertex, const double length, Slide& slide) const
+  {
+    const int arc = m_complex.vertices[vertex].arc;
+    const std::pair<double, double> range = m_arc_order.range(vertex, arc);
+    const double margin = smallest_part_of_range * (range.second - range.first);
+    if(!(length > range.first + margin && length < range.second - margin))
+      return false;
+    const double position = m_arc_order.position(arc, length);
+    slide.location = m_arc_points.location(arc, position);
+    slide.length = m_arc_points.length_at(arc, position);
+    slide.point = m_walker.point(slide.location);
+    return true;
+  }
+
+  // The worst scaled Jacobian and the sum of the distortions of the quads at a vertex.
+  Quad_shape shape_around(const int vertex) const
+  {
+    Quad_shape result = no_shape();
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+      add(m_shape[*c / 4], result);
+    return result;
+  }
+
+  // The same after a slide. Gives up, with an infinite distortion, where a quad is not better than `bound`.
+  Quad_shape shape_around(const int vertex, const Slide& slide,
+                          const double bound = -std::numeric_limits<double>::infinity()) const
+  {
+    Quad_shape result = no_shape();
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    {
+      add(shape_after(*c, slide), result);
+      if(!(result.scaled_jacobian > bound))
+      {
+        result.distortion = std::numeric_limits<double>::infinity();
+        return result;
+      }
+    }
+    return result;
+  }
+
+  // Whether a slide inverts a quad that is not inverted.
+  bool inverts_quad(const int vertex, const Slide& slide) const
+  {
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+      if(m_shape[*c / 4].scaled_jacobian > 0 && !(shape_after(*c, slide).scaled_jacobian > 0))
+        return true;
+    return false;
+  }
+
+  void move(const int vertex, const Slide& slide)
+  {
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    {
+      m_shape[*c / 4] = shape_after(*c, slide);
+      m_normal[*c] = normal_at(slide.location, *c);
+    }
+    Quad_vertex& v = m_complex.vertices[vertex];
+    v.location = slide.location;
+    m_point[vertex] = slide.point;
+    if(freedom(vertex) == ON_ARC)
+    {
+      v.position = m_arc_order.position(v.arc, slide.length);
+      m_arc_order.set_length(vertex, slide.length);
+    }
+  }
+
+private:
+  static constexpr double smallest_part_of_range = 1e-3;
+
+  static Quad_shape no_shape() { return { std::numeric_limits<double>::infinity(), 0 }; }
+
+  static void add(const Quad_shape& shape, Quad_shape& sum)
+  {
+    sum.scaled_jacobian = (std::min)(sum.scaled_jacobian, shape.scaled_jacobian);
+    sum.distortion += shape.distortion;
+  }
+
+  Quad_shape shape_after(const int corner, const Slide& slide) const
+  {
+    const int quad = corner / 4;
+    Quad_points moved = points(quad);
+    moved[corner % 4] = slide.point;
+    const Coordinates normal = surface_normal(quad) - m_normal[corner] + normal_at(slide.location, corner);
+    return quad_shape(moved, normal);
+  }
+
+  void collect_corners()
+  {
+    m_first_corner.assign(m_complex.vertices.size() + 1, 0);
+    for(const std::array<int, 4>& quad : m_complex.quads)
+      for(const int v : quad)
+        ++m_first_corner[v + 1];
+    for(std::size_t v = 0; v < m_complex.vertices.size(); ++v)
+      m_first_corner[v + 1] += m_first_corner[v];
+    m_corner.resize(4 * m_complex.quads.size());
+    std::vector<int> next = m_first_corner;
+    for(std::size_t c = 0; c < m_corner.size(); ++c)
+      m_corner[next[m_complex.quads[c / 4][c % 4]]++] = static_cast<int>(c);
+  }
+
+  // The normal of the surface at a corner that slides. On an arc it is that of the face on the side of the quad.
+  Coordinates normal_at(const Surface_location& location, const int corner) const
+  {
+    const Quad_vertex& v = m_complex.vertices[m_complex.quads[corner / 4][corner % 4]];
+    if(v.vertex >= 0)
+      return m_normal[corner]; // it does not slide
+    if(v.arc < 0)
+      return m_walker.normal(location.face);
+    const int patch = m_complex.patch[corner / 4];
+    Coordinates sum{ 0, 0, 0 };
+    for(int h = 3 * location.face; h < 3 * location.face + 3; ++h)
+      if(location.barycentric[(h + 1) % 3] == 0 && m_network.arc[h] == v.arc)
+      {
+        if(m_patch_of_face[location.face] == patch)
+          sum = sum + m_walker.normal(location.face);
+        if(m_embedding.twin[h] >= 0 && m_patch_of_face[face_of(m_embedding.twin[h])] == patch)
+          sum = sum + m_walker.normal(face_of(m_embedding.twin[h]));
+        return sum;
+      }
+    return sum;
+  }
+
+  void set_normals()
+  {
+    std::vector<int> vertex_at(m_embedding.point.size(), -1);
+    for(int v = 0; v < number_of_vertices(); ++v)
+      if(m_complex.vertices[v].vertex >= 0)
+        vertex_at[m_complex.vertices[v].vertex] = v;
+      else
+        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
+          m_normal[*c] = normal_at(m_complex.vertices[v].location, *c);
+    for(std::size_t h = 0; h < m_embedding.vertex.size(); ++h)
+    {
+      const int v = vertex_at[m_embedding.vertex[h]], face = face_of(static_cast<int>(h));
+      if(v >= 0)
+        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
+          if(m_complex.patch[*c / 4] == m_patch_of_face[face])
+            m_normal[*c] = m_normal[*c] + m_walker.normal(face);
+    }
+    for(int v = 0; v < number_of_vertices(); ++v)
+      if(m_complex.vertices[v].vertex >= 0)
+        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
+          if(length(m_normal[*c]) > 0)
+            m_normal[*c] = 1 / length(m_normal[*c]) * m_normal[*c];
+  }
+
+  Quad_complex& m_complex;
+  const Surface_embedding& m_embedding;
+  const Feature_network& m_network;
+  Surface_walker m_walker;
+  Arc_points m_arc_points;
+  Arc_order m_arc_order;
+  std::vector<int> m_patch_of_face;
+  std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in; corners
+  std::vector<Coordinates> m_point;          // per vertex
+  std::vector<Coordinates> m_normal;         // per corner: that of the surface
+  std::vector<Quad_shape> m_shape;           // per quad
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_SLIDING_QUADS_H

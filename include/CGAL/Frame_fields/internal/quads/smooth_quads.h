@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_SMOOTH_QUADS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_SMOOTH_QUADS_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Sliding_quads.h>
+#include <CGAL/Frame_fields/internal/quads/improve_worst_quads.h>
+#include <CGAL/Frame_fields/internal/quads/quad_shape.h>
+#include <CGAL/Frame_fields/internal/quads/sliding_step.h>
+#include <CGAL/Frame_fields/internal/quads/untangle_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+struct Smoothing_options
+{
+  int number_of_sweeps = 20;                // of all vertices by the distortion
+  int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
+  double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
+  double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
+};
+
+struct Smoothing_report
+{
+  double worst_before = 0, worst_after = 0;       // scaled Jacobian, negative if the quad lies on its face
+  int inverted_before = 0, inverted_after = 0;    // quads whose scaled Jacobian is not positive
+};
+
+inline int number_of_inverted_quads(const Sliding_quads& quads)
+{
+  int result = 0;
+  for(int q = 0; q < quads.number_of_quads(); ++q)
+    result += quads.shape(q).scaled_jacobian <= 0;
+  return result;
+}
+
+// Moves vertices one after the other to where the distortion of their quads is less.
+//
+// A move is accepted if the worst of these quads does not get worse, or stays good enough and better than the worst
+// quad of all was at the start of the sweep. So the worst of all never gets worse, and no quad gets inverted.
+class Distortion_sweeps
+{
+public:
+  Distortion_sweeps(Sliding_quads& quads, const double good_enough)
+    : m_quads(quads), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), 0)
+  {}
+
+  void run(const int number_of_sweeps)
+  {
+    for(int i = 0; i < number_of_sweeps; ++i)
+    {
+      ++m_sweep;
+      m_acceptable = (std::max)(m_good_enough, m_quads.worst());
+      int number_of_moves = 0;
+      for(const Sliding_quads::Freedom freedom : { Sliding_quads::ON_ARC, Sliding_quads::IN_PATCH })
+        for(int v = 0; v < m_quads.number_of_vertices(); ++v)
+          if(m_quads.freedom(v) == freedom && may_move(v) && improve(v))
+          {
+            m_last_move[v] = m_sweep;
+            ++number_of_moves;
+          }
+      if(number_of_moves == 0)
+        return;
+    }
+  }
+
+private:
+  // Whether a vertex of its quads moved in this sweep or the one before.
+  bool may_move(const int vertex) const
+  {
+    for(const int* c = m_quads.corners_begin(vertex); c != m_quads.corners_end(vertex); ++c)
+      for(const int w : m_quads.quad(*c / 4))
+        if(m_last_move[w] + 1 >= m_sweep)
+          return true;
+    return false;
+  }
+
+  bool improve(const int vertex)
+  {
+    const int maximum_number_of_halvings = 3;
+    const bool is_on_arc = m_quads.freedom(vertex) == Sliding_quads::ON_ARC;
+    const Quad_shape old_shape = m_quads.shape_around(vertex);
+    const double old_length = m_quads.arc_order().length(vertex);
+    const double length_step = is_on_arc ? length_of_least_distortion(m_quads, vertex) - old_length : 0;
+    const Coordinates step = is_on_arc ? Coordinates{ 0, 0, 0 } : step_inside(m_quads, vertex);
+    double part = 1;
+    for(int i = 0; i <= maximum_number_of_halvings; ++i, part /= 2)
+    {
+      Slide slide;
+      const bool is_possible = is_on_arc ? m_quads.slide_on_arc(vertex, old_length + part * length_step, slide)
+                                         : m_quads.slide_inside(vertex, part * step, slide);
+      if(!is_possible)
+        continue;
+      if(is_negligible(vertex, slide))
+        return false;
+      if(is_better(vertex, slide, old_shape))
+      {
+        m_quads.move(vertex, slide);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_negligible(const int vertex, const Slide& slide) const
+  {
+    const double smallest_step = 1e-3; // over the length of an edge
+    const int* const c = m_quads.corners_begin(vertex);
+    if(c == m_quads.corners_end(vertex))
+      return true;
+    const Coordinates step = slide.point - m_quads.point(vertex);
+    const Coordinates edge = m_quads.point(m_quads.quad(*c / 4)[(*c + 1) % 4]) - m_quads.point(vertex);
+    return dot(step, step) <= smallest_step * smallest_step * dot(edge, edge);
+  }
+
+  bool is_better(const int vertex, const Slide& slide, const Quad_shape& old_shape) const
+  {
+    const Quad_shape shape = m_quads.shape_around(vertex, slide);
+    if(!std::isfinite(old_shape.distortion))
+      return shape.scaled_jacobian > old_shape.scaled_jacobian && !m_quads.inverts_quad(vertex, slide);
+    return shape.distortion < old_shape.distortion
+           && (shape.scaled_jacobian >= old_shape.scaled_jacobian || shape.scaled_jacobian >= m_acceptable);
+  }
+
+  Sliding_quads& m_quads;
+  double m_good_enough;
+  double m_acceptable = 0;
+  int m_sweep = 0;
+  std::vector<int> m_last_move; // per vertex: the sweep
+};
+
+// Smooths a quad mesh on its surface: vertices in a patch stay in it, vertices on an arc stay on it and in their order,
+// and vertices at vertices of the surface stay where they are.
+inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
+                               const Feature_network& network, const Smoothing_options& options = {})
+{
+  Smoothing_report report;
+  if(complex.quads.empty())
+    return report;
+  Sliding_quads quads(complex, surface, embedding, network);
+  report.worst_before = quads.worst();
+  report.inverted_before = number_of_inverted_quads(quads);
+  Distortion_sweeps sweeps(quads, options.good_enough);
+  untangle_quads(quads);
+  sweeps.run(options.number_of_sweeps);
+  for(int round = 0; round < options.number_of_rounds; ++round)
+  {
+    untangle_quads(quads);
+    improve_worst_quads(quads, options.bad);
+    sweeps.run(options.number_of_sweeps / 2);
+  }
+  report.worst_after = quads.worst();
+  report.inverted_after = number_of_inverted_quads(quads);
+  return report;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_SMOOTH_QUADS_H
