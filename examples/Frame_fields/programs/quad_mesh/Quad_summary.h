@@ -1,0 +1,23 @@
+#ifndef FRAME_FIELDS_PROGRAMS_QUAD_SUMMARY_H
+#define FRAME_FIELDS_PROGRAMS_QUAD_SUMMARY_H
+
+#include "../shared/Mesh.h"
+
+#include <CGAL/Frame_fields/Quad_statistics.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// The numbers that the program prints and reports.
+struct Quad_summary
+{
+  std::size_t faces = 0, vertices = 0, feature_edges = 0; // of the model
+  std::vector<Vertex> dangling_ends;                      // of its features
+  std::size_t quad_vertices = 0, quad_feature_edges = 0;
+  CGAL::Frame_fields::Quad_statistics statistics;
+  double seconds_reading = 0, seconds_writing = 0;
+  std::vector<std::string> warnings;
+};
+
+#endif // FRAME_FIELDS_PROGRAMS_QUAD_SUMMARY_H

@@ -1,0 +1,84 @@
+#ifndef FRAME_FIELDS_PROGRAMS_QUADS_H
+#define FRAME_FIELDS_PROGRAMS_QUADS_H
+
+#include "Quad_options.h"
+
+#include "../shared/Console.h"
+#include "../shared/Mesh.h"
+#include "../shared/Model.h"
+#include "../shared/field_parameters.h"
+
+#include <CGAL/Frame_fields/Quad_statistics.h>
+#include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Kernel/global_functions_3.h>
+
+#include <cmath>
+#include <functional>
+
+// A quadrangle mesh with its feature edges, borders among them, and the patch of each face. CGAL writes the integers to
+// PLY files under their names.
+struct Quads
+{
+  Mesh mesh;
+  Feature_map is_feature = mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
+  Mesh::Property_map<Face, int> patch = mesh.add_property_map<Face, int>("f:patch", 0).first;
+  CGAL::Frame_fields::Quad_statistics statistics;
+};
+
+// Shows the stages of the library on a console.
+struct Quad_stage_visitor : Stage_visitor
+{
+  using Stage_visitor::Stage_visitor;
+  using Stage_visitor::start_stage;
+
+  void start_stage(const CGAL::Frame_fields::Quad_stage stage) { console->show_progress(activity(stage)); }
+
+  static const char* activity(const CGAL::Frame_fields::Quad_stage stage)
+  {
+    switch(stage)
+    {
+      case CGAL::Frame_fields::Quad_stage::PREPARATION:  return "preparing the triangles";
+      case CGAL::Frame_fields::Quad_stage::FIELD:        return "computing the frame field";
+      case CGAL::Frame_fields::Quad_stage::SEAMLESS_MAP: return "mapping the patches to the plane";
+      case CGAL::Frame_fields::Quad_stage::T_MESH:       return "dividing the patches into cells";
+      case CGAL::Frame_fields::Quad_stage::QUANTIZATION: return "choosing the numbers of edges";
+      case CGAL::Frame_fields::Quad_stage::ASSEMBLY:     return "assembling the quadrangles";
+      case CGAL::Frame_fields::Quad_stage::SMOOTHING:    return "smoothing the quadrangles";
+    }
+    return "";
+  }
+};
+
+inline double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for(const Edge e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / static_cast<double>(mesh.number_of_edges());
+}
+
+inline void compute_quads(const Model& model, const Feature_map is_feature, const Quad_options& options,
+                          Console& console, Quads& quads)
+{
+  namespace parameters = CGAL::Frame_fields::parameters;
+  const auto np = parameters::output_edge_is_constrained_map(quads.is_feature)
+                    .face_to_patch_map(quads.patch)
+                    .statistics(std::ref(quads.statistics))
+                    .visitor(Quad_stage_visitor(console));
+  call_with_field_parameters(model, is_feature, options, [&](const auto& field_parameters)
+  {
+    const auto compute = [&](const auto& size)
+    {
+      const auto all_parameters = parameters::join(parameters::join(np, size), field_parameters);
+      check(CGAL::Frame_fields::cad_quad_mesh(model.mesh, quads.mesh, all_parameters), options);
+    };
+    if(options.number_of_quads)
+      compute(parameters::number_of_quads(*options.number_of_quads));
+    else
+      compute(parameters::target_edge_length(options.edge_length.value_or(mean_edge_length(model.mesh))));
+  });
+}
+
+#endif // FRAME_FIELDS_PROGRAMS_QUADS_H
