@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_LAYOUT_SEAMLESS_CHARTS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_LAYOUT_SEAMLESS_CHARTS_H
 
-#include <CGAL/Frame_fields/internal/layout/sign_of_determinant.h>
+#include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 

@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/Trace.h>
+#include <CGAL/Frame_fields/internal/parameterization/quarter_turns_of_sector.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
@@ -28,12 +29,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// The quads that a sector holds.
-inline int number_of_quads(const Cut_surface& surface, const std::vector<int>& index, const int sector)
-{
-  return (surface.is_constrained_sector(sector) ? 2 : 4) - index[sector];
-}
 
 // The nodes and pieces of a T-mesh, and the pieces around each node. The pieces leave a node by its slots, one for each
 // quarter turn: counter-clockwise, on the border from its halfedge that leaves the node, the slot 0, to the one that
@@ -223,7 +218,7 @@ private:
     for(int node = 0; node < static_cast<int>(m_locations.size()); ++node)
     {
       const T_mesh_location& l = m_locations[node];
-      const int quads = l.sector >= 0 ? number_of_quads(m_surface, m_index, l.sector) : l.halfedge >= 0 ? 2 : 4;
+      const int quads = l.sector >= 0 ? quarter_turns_of_sector(m_surface, m_index, l.sector) : l.halfedge >= 0 ? 2 : 4;
       m_first_slot.push_back(m_first_slot.back() + (std::max)(quads, 0) + (is_on_border(node) ? 1 : 0));
     }
     m_directed_piece.assign(m_first_slot.back(), -1);

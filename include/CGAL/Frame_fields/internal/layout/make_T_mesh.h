@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/internal/layout/T_mesh_graph.h>
 #include <CGAL/Frame_fields/internal/layout/Trace.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/quarter_turns_of_sector.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <cstddef>
@@ -87,7 +88,7 @@ private:
   // Adds the ports of a sector if it needs them. Returns whether it has as many as its index says.
   bool add_node(const int sector, const bool is_marked)
   {
-    const int quads = number_of_quads(m_surface, m_index, sector);
+    const int quads = quarter_turns_of_sector(m_surface, m_index, sector);
     const bool is_constrained = m_surface.is_constrained_sector(sector), is_regular = m_index[sector] == 0;
     const int place = sector - m_patch.sectors.begin_index;
     if(is_regular && !is_marked)

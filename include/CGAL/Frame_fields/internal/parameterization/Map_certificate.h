@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_MAP_CERTIFICATE_H
 
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/quarter_turns_of_sector.h>
 #include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
@@ -22,12 +23,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// The quarter turns that a regular map makes around a sector: four times the quads that meet there, less their angles.
-inline int quarter_turns_of_sector(const Cut_surface& surface, const std::vector<int>& index, const int sector)
-{
-  return (surface.is_constrained_sector(sector) ? 2 : 4) - index[sector];
-}
 
 // Proves from the integers of a map alone that it is injective around every point of a patch and has the indices of the
 // field. Nothing is assumed of how the map was found.

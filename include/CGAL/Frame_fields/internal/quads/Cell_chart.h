@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_CELL_CHART_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_CELL_CHART_H
 
+#include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -19,30 +20,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-typedef std::array<std::int64_t, 2> Grid_vector;
 typedef std::array<double, 2> Plane_point;
-
-inline Grid_vector turned(const Grid_vector& d, const int quarter_turns)
-{
-  switch(quarter_turns & 3)
-  {
-    case 0: return d;
-    case 1: return { -d[1], d[0] };
-    case 2: return { -d[0], -d[1] };
-    default: return { d[1], -d[0] };
-  }
-}
-
-inline Grid_vector corner_coordinates(const Seamless_map& map, const int halfedge)
-{
-  return { map.u[halfedge], map.v[halfedge] };
-}
 
 // Twice the signed area of a triangle.
 inline double orientation(const Plane_point& p, const Plane_point& q, const Plane_point& r)
@@ -57,7 +40,7 @@ class Cell_chart
 {
 public:
   Cell_chart(const Cut_surface& surface, const Seamless_map& map, const T_mesh& t_mesh, const T_mesh_cell& cell)
-    : m_surface(surface), m_map(map), m_face(cell.face), m_turns(cell.quarter_turns)
+    : m_surface(surface), m_charts(surface, map), m_face(cell.face), m_turns(cell.quarter_turns)
   {
     const Directed_piece& first = cell.sides[0].front();
     const T_mesh_piece& piece = t_mesh.pieces[first.piece];
@@ -83,9 +66,8 @@ public:
   // Where the corner at the target of a halfedge of the present face is.
   Plane_point corner(const int halfedge) const
   {
-    const Grid_vector x = corner_coordinates(m_map, halfedge);
-    const Grid_vector d = turned({ x[0] - m_origin[0], x[1] - m_origin[1] }, -m_turns);
-    return { static_cast<double>(d[0]), static_cast<double>(d[1]) };
+    const Grid_vector d = m_charts.point(halfedge) - m_origin;
+    return { static_cast<double>(along(m_turns, d)), static_cast<double>(left_of(m_turns, d)) };
   }
 
 private:
@@ -96,7 +78,7 @@ private:
       return { node.u, node.v };
     for(int h = 3 * face; h < 3 * face + 3; ++h)
       if(m_surface.sector[h] == node.sector)
-        return corner_coordinates(m_map, h);
+        return m_charts.point(h);
     return { node.u, node.v };
   }
 
@@ -127,15 +109,9 @@ private:
 
   void cross(const int halfedge)
   {
-    const int opposite = m_surface.opposite[halfedge];
-    // The target of the halfedge is the source of its opposite.
-    const Grid_vector here = corner_coordinates(m_map, halfedge);
-    const Grid_vector there = corner_coordinates(m_map, previous_of(opposite));
-    const int turns = m_map.quarter_turns[halfedge];
-    const Grid_vector d = turned({ m_origin[0] - here[0], m_origin[1] - here[1] }, turns);
-    m_origin = { there[0] + d[0], there[1] + d[1] };
-    m_turns = (m_turns + turns) & 3;
-    m_face = face_of(opposite);
+    m_origin = m_charts.point_across(halfedge, m_origin);
+    m_turns = m_charts.direction_across(halfedge, m_turns);
+    m_face = face_of(m_surface.opposite[halfedge]);
   }
 
   Surface_location location_in_face(const Plane_point& point) const
@@ -156,7 +132,7 @@ private:
   }
 
   const Cut_surface& m_surface;
-  const Seamless_map& m_map;
+  Seamless_charts m_charts;
   int m_face;                          // the present face
   int m_turns;                         // the x-axis is the direction (1, 0) of its chart, turned as often
   Grid_vector m_origin;                // in its chart

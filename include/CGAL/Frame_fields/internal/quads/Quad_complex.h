@@ -36,7 +36,9 @@ struct Quad_complex
 {
   std::vector<Quad_vertex> vertices;
   std::vector<std::array<int, 4> > quads;
-  std::vector<int> patch;  // per quad
+  std::vector<int> patch;                  // per quad
+  std::vector<std::vector<int> > arcs;     // per feature arc: its vertices in order; those of a loop only once
+  std::vector<char> is_loop;               // per feature arc
 };
 
 } // namespace internal

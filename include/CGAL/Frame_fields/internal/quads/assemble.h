@@ -50,8 +50,7 @@ struct Quad_layout
 struct Arc_vertices
 {
   std::vector<int> of_node;               // per vertex of the triangle mesh, -1 if it is no node
-  std::vector<std::vector<int> > of_arc;  // per arc in its direction, ends included; a loop has no ends
-  std::vector<Arc_points> points;         // per arc
+  std::vector<Placed_arc> points;         // per arc
 };
 
 inline Surface_location location_on_halfedge(const int halfedge, const double fraction)
@@ -71,7 +70,7 @@ inline bool is_beside_filled_patch(const Arc_sides& sides, const int arc)
                      [](const Arc_side& side) { return side.patch >= 0 && side.pieces.empty(); });
 }
 
-inline Arc_points place_points(const Quad_layout& layout, const int arc)
+inline Placed_arc place_points(const Quad_layout& layout, const int arc)
 {
   const Feature_arc& feature_arc = layout.network.arcs[arc];
   const Arc_polyline polyline(layout.surface, feature_arc);
@@ -112,9 +111,10 @@ inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& c
     const Feature_arc& arc = layout.network.arcs[a];
     const Arc_polyline polyline(layout.surface, arc);
     result.points.push_back(place_points(layout, static_cast<int>(a)));
-    result.of_arc.emplace_back();
+    complex.arcs.emplace_back();
+    complex.is_loop.push_back(arc.is_loop);
     if(!arc.is_loop)
-      result.of_arc.back().push_back(
+      complex.arcs.back().push_back(
         result.of_node[layout.embedding.vertex[previous_of(arc.halfedges.front())]]);
     for(const double length : result.points.back().length)
     {
@@ -123,11 +123,11 @@ inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& c
       vertex.position = polyline.position_at(std::fmod(length, polyline.length()));
       const int place = (std::min)(static_cast<int>(vertex.position), static_cast<int>(arc.halfedges.size()) - 1);
       vertex.location = location_on_halfedge(arc.halfedges[place], vertex.position - place);
-      result.of_arc.back().push_back(static_cast<int>(complex.vertices.size()));
+      complex.arcs.back().push_back(static_cast<int>(complex.vertices.size()));
       complex.vertices.push_back(vertex);
     }
     if(!arc.is_loop)
-      result.of_arc.back().push_back(result.of_node[layout.embedding.vertex[arc.halfedges.back()]]);
+      complex.arcs.back().push_back(result.of_node[layout.embedding.vertex[arc.halfedges.back()]]);
   }
   return result;
 }
@@ -218,7 +218,7 @@ private:
   // Gives the pieces of a side of an arc the vertices of the arc.
   void give_vertices(const Arc_side& side, const Arc_vertices& arc_vertices, const int arc, const int number_of_side)
   {
-    const std::vector<int>& vertices = arc_vertices.of_arc[arc];
+    const std::vector<int>& vertices = m_complex.arcs[arc];
     const bool is_loop = m_layout.network.arcs[arc].is_loop;
     const int n = static_cast<int>(vertices.size());
     // The second side runs against the arc: it begins where its unrolled list ends.

@@ -24,6 +24,7 @@
 #include <CGAL/Frame_fields/internal/quads/assemble.h>
 #include <CGAL/Frame_fields/internal/quads/layout_network.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
+#include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -34,7 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,6 +60,20 @@ inline const char* reason_of(const Map_status status)
     case Map_status::INVERTED_FACE:    return "a face of the map is inverted";
     case Map_status::REVERSED_EDGE:    return "a feature edge of the map runs backward";
     case Map_status::WRONG_CONE:       return "a sector of the map does not have the angle of its index";
+  }
+  return "";
+}
+
+inline const char* reason_of(const T_mesh_status status)
+{
+  switch(status)
+  {
+    case T_mesh_status::COMPLETE:           return "no numbers of edges fit its arcs and those of its neighbors";
+    case T_mesh_status::NOT_CERTIFIED:      return "the map has no certificate";
+    case T_mesh_status::WRONG_SECTOR:       return "a sector of the map does not have the directions of its index";
+    case T_mesh_status::TOO_LONG:           return "the lines from the singularities are too long";
+    case T_mesh_status::OVERLAPPING_PIECES: return "lines from the singularities overlap";
+    case T_mesh_status::NO_RECTANGLES:      return "the lines from the singularities do not bound rectangles";
   }
   return "";
 }
@@ -198,7 +213,7 @@ private:
       const int patch = static_cast<int>(p);
       if(m_t_meshes[p].cells.empty())
       {
-        split_triangles_of_patch(layout, arc_vertices, patch, complex);
+        split_triangles_of_patch(layout, patch, complex);
         m_origin.resize(complex.quads.size(), { patch, -1 });
         continue;
       }
@@ -271,16 +286,21 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   for(int s = 0; s < surface.number_of_sectors(); ++s)
     is_arc_node[s] = surface.is_constrained_sector(s) && is_node[embedding.vertex[surface.first_corner[s]]];
   std::vector<T_mesh> t_meshes(surface.patches.size());
+  std::vector<T_mesh_status> t_mesh_status(surface.patches.size());
   for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    if(map.status[patch] == Map_status::CERTIFIED)
-      t_meshes[patch] = make_T_mesh(surface, surface.patches[patch], field.index, map, is_arc_node).mesh;
+    T_mesh_result result = make_T_mesh(surface, surface.patches[patch], field.index, map, is_arc_node);
+    t_meshes[patch] = std::move(result.mesh);
+    t_mesh_status[patch] = result.status;
     return Patch_result();
   });
 
   clock.start(Quad_stage::QUANTIZATION);
-  const Quad_complex complex =
+  Quad_complex complex =
     Quad_maker(surface, embedding, features, map, t_meshes, target_edge_length).make();
+
+  clock.start(Quad_stage::SMOOTHING);
+  smooth(complex, surface, embedding, features);
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();
@@ -293,7 +313,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     patch.number_of_faces = surface.patches[p].faces.size();
     patch.way = t_meshes[p].cells.empty() ? Patch_way::FILLING : Patch_way::CERTIFIED_MAP;
     if(patch.way == Patch_way::FILLING)
-      patch.reason = map.status[p] == Map_status::CERTIFIED ? "no integers fit its arcs" : reason_of(map.status[p]);
+      patch.reason = map.status[p] == Map_status::CERTIFIED ? reason_of(t_mesh_status[p]) : reason_of(map.status[p]);
     ++(patch.way == Patch_way::FILLING ? statistics.number_of_filled_patches
                                        : statistics.number_of_certified_patches);
   }

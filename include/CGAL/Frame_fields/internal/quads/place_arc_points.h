@@ -136,7 +136,7 @@ inline std::vector<double> unrolled_loop(std::vector<double> points, const bool 
 }
 
 // The points of an arc, by their lengths from its beginning.
-struct Arc_points
+struct Placed_arc
 {
   std::vector<double> length;                      // increasing; inner points only, but all of a loop
   std::array<int, 2> first_of_side = { { 0, 0 } }; // for a loop: the point that each side's list begins with
@@ -197,11 +197,11 @@ inline std::vector<double> points_of_triangles(const Arc_polyline& polyline, con
 }
 
 // Joins the points of the two sides. A side without points has no opinion; `fixed`, unless empty, has the only one.
-inline Arc_points join_sides(const std::array<std::vector<double>, 2>& sides, const std::vector<double>& fixed,
+inline Placed_arc join_sides(const std::array<std::vector<double>, 2>& sides, const std::vector<double>& fixed,
                              const bool is_loop, const double length)
 {
   const std::vector<double>& reference = !fixed.empty() ? fixed : !sides[0].empty() ? sides[0] : sides[1];
-  Arc_points result{ reference, {} };
+  Placed_arc result{ reference, {} };
   std::array<int, 2> shift{ { 0, 0 } };
   for(int s = 0; s < 2 && is_loop; ++s)
     if(!sides[s].empty())

@@ -26,8 +26,7 @@ namespace internal {
 
 // Fills a patch that has no T-mesh: each triangle becomes three quads, by the middles of its edges and its centroid.
 // Its arcs must have two quad edges for each of their edges, as `points_of_triangles()` places them.
-inline void split_triangles_of_patch(const Quad_layout& layout, const Arc_vertices& arc_vertices, const int patch,
-                                     Quad_complex& complex)
+inline void split_triangles_of_patch(const Quad_layout& layout, const int patch, Quad_complex& complex)
 {
   const Cut_surface& surface = layout.surface;
   const Patch& range = surface.patches[patch];
@@ -51,7 +50,7 @@ inline void split_triangles_of_patch(const Quad_layout& layout, const Arc_vertic
     if(!surface.is_constrained(h))
       continue;
     const int arc = layout.network.arc[h], place = layout.network.place[h];
-    const std::vector<int>& vertices = arc_vertices.of_arc[arc];
+    const std::vector<int>& vertices = complex.arcs[arc];
     const int n = static_cast<int>(vertices.size());
     const bool is_first = is_of_first_side(layout.network, h);
     middle[h - first_halfedge] = vertices[2 * place + 1];

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_OUTPUT_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_OUTPUT_H
+
+#include <CGAL/Frame_fields/Quad_statistics.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
+#include <CGAL/Frame_fields/internal/quads/write_quad_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The point of a vertex in the caller's unit; at a vertex of the triangle mesh exactly the one of that vertex.
+inline Coordinates point_of(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_vertex& vertex)
+{
+  Coordinates point{ 0, 0, 0 };
+  if(vertex.vertex >= 0)
+    point = embedding.point[vertex.vertex];
+  else
+    for(int k = 0; k < 3; ++k)
+      for(int c = 0; c < 3; ++c)
+        point[c] += vertex.location.barycentric[k]
+                  * embedding.point[embedding.vertex[3 * vertex.location.face + k]][c];
+  for(double& coordinate : point)
+    coordinate *= surface.length_unit;
+  return point;
+}
+
+// The sides of quads that run along feature arcs, by the pairs of their vertices.
+inline std::vector<char> sides_on_arcs(const Quad_complex& complex)
+{
+  std::vector<std::pair<int, int> > pairs;
+  for(std::size_t a = 0; a < complex.arcs.size(); ++a)
+  {
+    const std::vector<int>& vertices = complex.arcs[a];
+    for(std::size_t i = 0; i + 1 < vertices.size(); ++i)
+      pairs.push_back(std::minmax(vertices[i], vertices[i + 1]));
+    if(complex.is_loop[a])
+      pairs.push_back(std::minmax(vertices.back(), vertices.front()));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<char> result(4 * complex.quads.size());
+  for(std::size_t side = 0; side < result.size(); ++side)
+  {
+    const int s = static_cast<int>(side);
+    const std::pair<int, int> pair = std::minmax(side_source(complex, s), side_target(complex, s));
+    result[side] = std::binary_search(pairs.begin(), pairs.end(), pair);
+  }
+  return result;
+}
+
+inline void put_statistics(const std::reference_wrapper<Quad_statistics> map, const Quad_statistics& statistics)
+{
+  map.get() = statistics;
+}
+inline void put_statistics(const CGAL::internal_np::Param_not_found, const Quad_statistics&) {}
+
+template <typename Map, typename Key, typename Value>
+void put_if_given(const Map map, const Key& key, const Value& value) { put(map, key, value); }
+template <typename Key, typename Value>
+void put_if_given(const CGAL::internal_np::Param_not_found, const Key&, const Value&) {}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_OUTPUT_H
