@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_HALF_INTEGRAL_FLOW_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_HALF_INTEGRAL_FLOW_H
+
+#include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+#include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The cheapest values of a bidirected network that may be halves, where the cost of k + 1/2 is the mean of those of k
+// and k + 1. Nothing with integers is cheaper, and where there is nothing with halves there is nothing with integers.
+//
+// This is a flow of convex cost in the double cover. It is found by successive shortest paths with potentials, which
+// keep all reduced costs non-negative, first with large steps and then with smaller ones. Bounds may change afterward:
+// only what they disturb is then done again.
+class Half_integral_flow
+{
+public:
+  explicit Half_integral_flow(const Bidirected_network& network)
+    : m_network(network), m_graph(network), m_lower(network.edges.size()), m_upper(network.edges.size())
+    , m_flow(m_graph.number_of_arcs()), m_excess(m_graph.number_of_nodes(), 0)
+    , m_potential(m_graph.number_of_nodes(), 0.), m_distance(m_graph.number_of_nodes())
+    , m_arrival(m_graph.number_of_nodes(), NOT_REACHED), m_last_dead_phase(m_graph.number_of_nodes(), 0)
+  {
+    for(std::size_t e = 0; e < network.edges.size(); ++e)
+    {
+      m_lower[e] = (std::max)(network.edges[e].lower_bound, -largest_value);
+      m_upper[e] = (std::min)(network.edges[e].upper_bound, largest_value);
+      const int start = nearest_integer(network.edges[e].target, m_lower[e], m_upper[e]);
+      for(std::size_t arc = 2 * e; arc < 2 * e + 2; ++arc)
+      {
+        m_flow[arc] = start;
+        m_excess[m_graph.head[arc]] += start;
+        m_excess[m_graph.tail[arc]] -= start;
+      }
+    }
+  }
+
+  // Returns whether there is a solution. The bounds must not exclude one another.
+  bool solve()
+  {
+    std::int64_t largest_excess = 0;
+    for(const std::int64_t excess : m_excess)
+      largest_excess = (std::max)(largest_excess, excess);
+    std::int64_t step = 1;
+    while(2 * step <= (std::min<std::int64_t>)(largest_excess, largest_value))
+      step *= 2;
+    for(; step > 1; step /= 2)
+    {
+      m_step = static_cast<int>(step);
+      for(int arc = 0; arc < m_graph.number_of_arcs(); ++arc)
+        make_optimal_for_step(arc);
+      remove_excesses();
+    }
+    m_step = 1;
+    for(int arc = 0; arc < m_graph.number_of_arcs(); ++arc)
+      make_optimal(arc);
+    return remove_excesses();
+  }
+
+  // Changes the bounds of an edge, and its flow as far as they ask for it. `solve_again()` does the rest.
+  void set_bounds(const int edge, const int lower, const int upper)
+  {
+    m_lower[edge] = lower;
+    m_upper[edge] = upper;
+    make_optimal(2 * edge);
+    make_optimal(2 * edge + 1);
+  }
+
+  bool solve_again() { return remove_excesses(); }
+
+  int lower_bound(const int edge) const { return m_lower[edge]; }
+  int upper_bound(const int edge) const { return m_upper[edge]; }
+
+  int doubled_value(const int edge) const { return m_flow[2 * edge] + m_flow[2 * edge + 1]; }
+
+  bool is_half(const int edge) const { return doubled_value(edge) % 2 != 0; }
+
+  // Gives an edge an integer at a distance of at most 1/2. The caller does so with edges that balance one another.
+  void set_value(const int edge, const int value) { m_flow[2 * edge] = m_flow[2 * edge + 1] = value; }
+
+  double cost() const
+  {
+    double sum = 0;
+    for(std::size_t e = 0; e < m_network.edges.size(); ++e)
+    {
+      const double low = std::floor(doubled_value(static_cast<int>(e)) / 2.);
+      const Bidirected_edge& edge = m_network.edges[e];
+      sum += is_half(static_cast<int>(e)) ? (deviation_cost(edge, low) + deviation_cost(edge, low + 1)) / 2
+                                          : deviation_cost(edge, low);
+    }
+    return sum;
+  }
+
+  const Bidirected_network& network() const { return m_network; }
+  const Double_cover& graph() const { return m_graph; }
+  const std::vector<double>& potential() const { return m_potential; }
+
+  // The number of nodes that were visited so far.
+  std::int64_t work() const { return m_work; }
+
+  // After a failure: the nodes from which an excess could not go on.
+  std::vector<char> blocked_nodes() const
+  {
+    std::vector<char> result(m_graph.number_of_nodes());
+    for(std::size_t node = 0; node < result.size(); ++node)
+      result[node] = m_last_dead_phase[node] == m_phase;
+    return result;
+  }
+
+private:
+  typedef std::pair<double, int> Entry; // reduced distance, node
+
+  enum { NOT_REACHED = -1, START = -2 };
+
+  double potential_difference(const int arc) const
+  {
+    return m_potential[m_graph.tail[arc]] - m_potential[m_graph.head[arc]];
+  }
+
+  // What m_step units cost, each, along an arc or back.
+  double forward_cost(const int arc) const
+  {
+    return deviation_slope(m_network.edges[arc / 2], m_flow[arc], m_step) + potential_difference(arc);
+  }
+  double backward_cost(const int arc) const
+  {
+    return -deviation_slope(m_network.edges[arc / 2], m_flow[arc], -m_step) - potential_difference(arc);
+  }
+  bool can_increase(const int arc) const { return m_flow[arc] <= m_upper[arc / 2] - m_step; }
+  bool can_decrease(const int arc) const { return m_flow[arc] >= m_lower[arc / 2] + m_step; }
+
+  void push(const int arc, const int amount)
+  {
+    m_flow[arc] += amount;
+    m_excess[m_graph.head[arc]] += amount;
+    m_excess[m_graph.tail[arc]] -= amount;
+  }
+
+  void make_optimal_for_step(const int arc)
+  {
+    if(can_increase(arc) && forward_cost(arc) < 0)
+      push(arc, m_step);
+    else if(can_decrease(arc) && backward_cost(arc) < 0)
+      push(arc, -m_step);
+  }
+
+  // The same for steps of 1 and any distance from the optimum.
+  void make_optimal(const int arc)
+  {
+    const Bidirected_edge& edge = m_network.edges[arc / 2];
+    const int lower = m_lower[arc / 2], upper = m_upper[arc / 2];
+    // Rounding errors must not move what is optimal.
+    const double tolerance = 1e-12 * (1 + std::abs(potential_difference(arc)));
+    const bool is_optimal = m_flow[arc] >= lower && m_flow[arc] <= upper
+                            && !(can_increase(arc) && forward_cost(arc) < -tolerance)
+                            && !(can_decrease(arc) && backward_cost(arc) < -tolerance);
+    if(!is_optimal)
+    {
+      const double optimum = edge.target - potential_difference(arc) / (2 * edge.weight);
+      push(arc, nearest_integer(optimum, lower, upper) - m_flow[arc]);
+    }
+    m_sources.push_back(m_graph.tail[arc]);
+    m_sources.push_back(m_graph.head[arc]);
+  }
+
+  // Moves all excesses of at least a step to where that much is missing. Returns whether that was possible.
+  bool remove_excesses()
+  {
+    ++m_phase;
+    if(m_step > 1)
+    {
+      m_sources.resize(m_graph.number_of_nodes());
+      for(std::size_t node = 0; node < m_sources.size(); ++node)
+        m_sources[node] = static_cast<int>(node);
+    }
+    std::size_t number_of_blocked_sources = 0;
+    for(std::size_t i = 0; i < m_sources.size(); ++i)
+    {
+      const int source = m_sources[i];
+      while(m_excess[source] >= m_step && m_last_dead_phase[source] != m_phase)
+        move_excess(source);
+      if(m_excess[source] >= m_step)
+        m_sources[number_of_blocked_sources++] = source;
+    }
+    m_sources.resize(number_of_blocked_sources); // for the next time, with other bounds
+    return number_of_blocked_sources == 0;
+  }
+
+  // Moves one step of excess along a shortest path, by Dijkstra's algorithm with reduced costs. If there is no path,
+  // none of the nodes that were reached has one, in this phase.
+  void move_excess(const int source)
+  {
+    m_queue.clear();
+    m_reached.clear();
+    reach(source, 0, START);
+    int end = -1;
+    while(!m_queue.empty() && end < 0)
+    {
+      const double distance = m_queue.front().first;
+      const int node = m_queue.front().second;
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+      m_queue.pop_back();
+      if(distance > m_distance[node])
+        continue;
+      ++m_work;
+      if(m_excess[node] <= -m_step)
+        end = node;
+      else
+        visit_neighbors(node, distance);
+    }
+    if(end >= 0)
+      augment(source, end);
+    for(const int node : m_reached)
+    {
+      if(end < 0)
+        m_last_dead_phase[node] = m_phase;
+      m_arrival[node] = NOT_REACHED;
+    }
+  }
+
+  void visit_neighbors(const int node, const double distance)
+  {
+    for(int place = m_graph.first_place[node]; place < m_graph.first_place[node + 1]; ++place)
+    {
+      const int arc = m_graph.incident[place] / 2;
+      const bool is_forward = m_graph.incident[place] % 2 == 0;
+      if(is_forward ? !can_increase(arc) : !can_decrease(arc))
+        continue;
+      const double cost = (std::max)(0., is_forward ? forward_cost(arc) : backward_cost(arc));
+      reach(is_forward ? m_graph.head[arc] : m_graph.tail[arc], distance + cost, m_graph.incident[place]);
+    }
+  }
+
+  void reach(const int node, const double distance, const int arrival)
+  {
+    if(m_arrival[node] == NOT_REACHED)
+      m_reached.push_back(node);
+    else if(!(distance < m_distance[node]))
+      return;
+    m_arrival[node] = arrival;
+    m_distance[node] = distance;
+    m_queue.push_back({ distance, node });
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+  }
+
+  void augment(const int source, const int end)
+  {
+    for(int node = end; node != source; )
+    {
+      const int arc = m_arrival[node] / 2;
+      const bool is_forward = m_arrival[node] % 2 == 0;
+      push(arc, is_forward ? m_step : -m_step);
+      node = is_forward ? m_graph.tail[arc] : m_graph.head[arc];
+    }
+    for(const int node : m_reached)
+      m_potential[node] += (std::min)(0., m_distance[node] - m_distance[end]);
+  }
+
+  const Bidirected_network& m_network;
+  Double_cover m_graph;
+  std::vector<int> m_lower, m_upper;     // per edge
+  std::vector<int> m_flow;               // per arc
+  std::vector<std::int64_t> m_excess;    // per node: what arrives less what leaves
+  std::vector<double> m_potential;       // per node
+  std::vector<double> m_distance;        // per node
+  std::vector<int> m_arrival;            // per node: the last step of its path, as in Double_cover::incident
+  std::vector<int> m_last_dead_phase;    // per node: when there was last no path from it
+  std::vector<Entry> m_queue;            // a heap
+  std::vector<int> m_reached, m_sources; // nodes
+  int m_step = 1;
+  int m_phase = 0;
+  std::int64_t m_work = 0;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_HALF_INTEGRAL_FLOW_H
