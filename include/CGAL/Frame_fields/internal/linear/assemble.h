@@ -60,17 +60,38 @@ struct Entry_writer
   }
 };
 
-// Sorts one column by rows and adds up the entries of equal rows; returns the number of entries that are left.
+// Sorts a column by rows, and keeps entries of equal rows in their order.
 template <typename Scalar>
-int sort_and_merge_column(int* const row, Scalar* const value, const int size)
+void sort_column(int* const row, Scalar* const value, const int size)
 {
-  for(int k = 1; k < size; ++k) // columns hold a handful of entries
+  const int largest_handful = 64;
+  if(size > largest_handful)
+  {
+    std::vector<std::pair<int, Scalar> > entries(size);
+    for(int k = 0; k < size; ++k)
+      entries[k] = { row[k], value[k] };
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(int k = 0; k < size; ++k)
+    {
+      row[k] = entries[k].first;
+      value[k] = entries[k].second;
+    }
+    return;
+  }
+  for(int k = 1; k < size; ++k) // most columns hold a handful of entries
     for(int l = k; l > 0 && row[l - 1] > row[l]; --l)
     {
       std::swap(row[l - 1], row[l]);
       std::swap(value[l - 1], value[l]);
     }
+}
 
+// Sorts one column by rows and adds up the entries of equal rows; returns the number of entries that are left.
+template <typename Scalar>
+int sort_and_merge_column(int* const row, Scalar* const value, const int size)
+{
+  sort_column(row, value, size);
   int kept = 0;
   for(int k = 0; k < size; ++k)
   {

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The energy that untangles a map: on each face area ((1 - t) |J|^2 + t (d^2 + 1)) / chi(d) with d = det J, and on each
-// constrained edge area (r^2 + 1) / chi(r) with r = growth / length, where chi(d) = (d + sqrt(eps^2 + d^2)) / 2 is a
+// The energy that untangles a map: on each face weight ((1 - t) |J|^2 + t (d^2 + 1)) / chi(d) with d = det J, on each
+// constrained edge weight (r^2 + 1) / chi(r) with r = growth / length, where chi(d) = (d + sqrt(eps^2 + d^2)) / 2 is a
 // positive stand-in for d. As eps goes to 0 it keeps out faces that are turned over and edges that run backward.
 // (Garanzha et al., Foldover-free maps in 50 lines of code, for faces.)
 class Barrier_energy
@@ -76,15 +76,15 @@ private:
     const double squared_norm = j[0][0] * j[0][0] + j[0][1] * j[0][1] + j[1][0] * j[1][0] + j[1][1] * j[1][1];
     const Chi c = chi(d);
     const double value = ((1 - theta) * squared_norm + theta * (d * d + 1)) / c.value;
-    const double by_norm = face.area * 2 * (1 - theta) / c.value;
-    const double by_d = face.area * (2 * theta * d - value * c.slope) / c.value;
+    const double weight = m_elements.weight(face), by_norm = weight * 2 * (1 - theta) / c.value;
+    const double by_d = weight * (2 * theta * d - value * c.slope) / c.value;
     const double by_j[2][2] = { { by_norm * j[0][0] + by_d * j[1][1], by_norm * j[0][1] - by_d * j[1][0] },
                                 { by_norm * j[1][0] - by_d * j[0][1], by_norm * j[1][1] + by_d * j[0][0] } };
     for(int k = 0; k < 3; ++k)
       for(int r = 0; r < 2; ++r)
         gradient[2 * face.vertex[k] + r] += by_j[r][0] * face.gradient[k][0] + by_j[r][1] * face.gradient[k][1];
     m_least = (std::min)(m_least, d);
-    return face.area * value;
+    return weight * value;
   }
 
   double add_side(const Map_elements::Side& side, const std::vector<double>& x, std::vector<double>& gradient)
@@ -92,14 +92,16 @@ private:
     const double r = (x[side.target] - x[side.source]) / side.length;
     const Chi c = chi(r);
     const double value = (r * r + 1) / c.value;
-    const double by_growth = side.weight * (2 * r - value * c.slope) / (c.value * side.length);
+    const double weight = factor_of_sides * m_elements.weight(side);
+    const double by_growth = weight * (2 * r - value * c.slope) / (c.value * side.length);
     gradient[side.target] += by_growth;
     gradient[side.source] -= by_growth;
     m_least = (std::min)(m_least, r);
-    return side.weight * value;
+    return weight * value;
   }
 
   static constexpr double theta = 0.1; // how much areas count against angles
+  static constexpr double factor_of_sides = 3;
 
   const Map_elements& m_elements;
   double m_epsilon = 1;

@@ -40,13 +40,14 @@ public:
     std::array<int, 3> vertex;           // of the disk
     std::array<Vector_2, 3> gradient;    // of the hat functions of the vertices, in the frame
     double area;                         // in the frame, in square target lengths
+    double stiffness = 1;
   };
 
   struct Side
   {
     int source, target;  // coordinates that grow along the edge, if it has the positive sign
     double length;       // with this sign, in target lengths
-    double weight;       // area of its face
+    int face;            // of the patch
   };
 
   Map_elements(const Cut_surface& surface, const Patch& patch, const Combed_field& field, const Cut_graph& graph,
@@ -69,12 +70,26 @@ public:
       const int f = face_of(e.halfedge);
       m_sides.push_back({ 2 * e.source + e.growing_coordinate, 2 * e.target + e.growing_coordinate,
                           e.sign * surface.length[e.halfedge] / target_length[f],
-                          m_faces[f - patch.faces.begin_index].area });
+                          f - patch.faces.begin_index });
     }
   }
 
   const std::vector<Face>& faces() const { return m_faces; }
   const std::vector<Side>& sides() const { return m_sides; }
+
+  double weight(const Face& face) const { return face.stiffness * face.area; }
+
+  // A constrained edge counts as much as its face.
+  double weight(const Side& side) const { return weight(m_faces[side.face]); }
+
+  // Makes what happens in a face count more.
+  void stiffen(const int face_of_patch, const double factor) { m_faces[face_of_patch].stiffness *= factor; }
+
+  void forget_stiffness()
+  {
+    for(Face& face : m_faces)
+      face.stiffness = 1;
+  }
 
 private:
   // A triangle whose height is less than this part of its longest edge counts as one with this height.
@@ -116,8 +131,8 @@ private:
   std::vector<Side> m_sides; // per side edge
 };
 
-// The minimization over z of the sum of area |J - I|^2 over the faces, where J is the differential of x = B z, and of
-// area (growth / length - 1)^2 over the constrained edges.
+// The minimization over z of the sum of weight |J - I|^2 over the faces, where J is the differential of x = B z, and of
+// a part of weight (growth / length - 1)^2 over the constrained edges.
 class Frame_energy
 {
 public:
@@ -147,11 +162,12 @@ public:
     for(const Map_elements::Face& face : m_elements.faces())
       for(int k = 0; k < 3; ++k)
         for(int c = 0; c < 2; ++c)
-          on_coordinates[2 * face.vertex[k] + c] += face.area * face.gradient[k][c];
+          on_coordinates[2 * face.vertex[k] + c] += m_elements.weight(face) * face.gradient[k][c];
     for(const Map_elements::Side& side : m_elements.sides())
     {
-      on_coordinates[side.target] += side.weight / side.length;
-      on_coordinates[side.source] -= side.weight / side.length;
+      const double value = part_of_sides * m_elements.weight(side) / side.length;
+      on_coordinates[side.target] += value;
+      on_coordinates[side.source] -= value;
     }
     m_basis.multiply_transposed(on_coordinates, result);
     return result;
@@ -165,13 +181,13 @@ private:
       for(int a = 0; a < 3; ++a)
         for(int b = 0; b < 3; ++b)
         {
-          const double value = face.area * dot(face.gradient[a], face.gradient[b]);
+          const double value = m_elements.weight(face) * dot(face.gradient[a], face.gradient[b]);
           for(int c = 0; c < 2; ++c)
             add_product(2 * face.vertex[a] + c, 2 * face.vertex[b] + c, value, add);
         }
     for(const Map_elements::Side& side : m_elements.sides())
     {
-      const double value = side.weight / (side.length * side.length);
+      const double value = part_of_sides * m_elements.weight(side) / (side.length * side.length);
       add_product(side.source, side.source, value, add);
       add_product(side.target, side.target, value, add);
       add_product(side.source, side.target, -value, add);
@@ -192,6 +208,9 @@ private:
       });
     });
   }
+
+  // Less leaves more constrained edges running backward, more leaves more faces turned over.
+  static constexpr double part_of_sides = 0.3;
 
   const Map_elements& m_elements;
   const Map_basis& m_basis;

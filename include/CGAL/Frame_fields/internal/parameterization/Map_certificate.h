@@ -35,13 +35,24 @@ public:
                   const BranchAlong& branch_along, const Seamless_map& map)
     : m_surface(surface), m_patch(patch), m_index(index), m_map(map)
   {
-    m_status = has_inverted_face() ? Map_status::INVERTED_FACE
-             : has_faulty_edge(branch_along) ? Map_status::REVERSED_EDGE
-             : has_wrong_sector() ? Map_status::WRONG_CONE
-             : Map_status::CERTIFIED;
+    check_faces();
+    check_edges(branch_along);
+    check_sectors();
   }
 
-  Map_status status() const { return m_status; }
+  Map_status status() const
+  {
+    return !m_inverted_faces.empty() ? Map_status::INVERTED_FACE
+         : !m_faces_of_faulty_edges.empty() ? Map_status::REVERSED_EDGE
+         : !m_wrong_sectors.empty() ? Map_status::WRONG_CONE
+         : Map_status::CERTIFIED;
+  }
+
+  const std::vector<int>& inverted_faces() const { return m_inverted_faces; }
+  const std::vector<int>& faces_of_faulty_edges() const { return m_faces_of_faulty_edges; }
+
+  // Sectors that do not turn as they should; if there are inverted faces, the sectors of these are among them.
+  const std::vector<int>& wrong_sectors() const { return m_wrong_sectors; }
 
   // Whether the map across a dual edge is the quarter turns of the edge and a translation.
   static bool is_seamless(const Seamless_map& map, const Dual_edge& e)
@@ -85,32 +96,30 @@ private:
     return d.u < 0 ? 2 : 3;
   }
 
-  bool has_inverted_face() const
+  void check_faces()
   {
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
     {
       const Vector a = vector_along(m_map, 3 * f), b = vector_along(m_map, 3 * f + 1);
       if(sign_of_determinant(a.u, a.v, b.u, b.v) <= 0)
-        return true;
+        m_inverted_faces.push_back(f);
     }
-    return false;
   }
 
   // A constrained edge must run along its branch, and the two sides of all other edges must fit.
   template <typename BranchAlong>
-  bool has_faulty_edge(const BranchAlong& branch_along) const
+  void check_edges(const BranchAlong& branch_along)
   {
     for(int h = 3 * m_patch.faces.begin_index; h < 3 * m_patch.faces.end_index; ++h)
       if(m_surface.is_constrained(h))
       {
         const Vector along_u = turned(vector_along(m_map, h), (4 - branch_along(h)) & 3);
         if(!(along_u.u > 0 && along_u.v == 0))
-          return true;
+          m_faces_of_faulty_edges.push_back(face_of(h));
       }
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
       if(!is_seamless(m_map, m_surface.dual_edges[e]))
-        return true;
-    return false;
+        m_faces_of_faulty_edges.push_back(face_of(m_surface.dual_edges[e].halfedge));
   }
 
   // Counts how often the direction from the vertex enters another quadrant on its way around the sector. Each triangle
@@ -127,19 +136,18 @@ private:
     return turns;
   }
 
-  bool has_wrong_sector() const
+  void check_sectors()
   {
     for(int s = m_patch.sectors.begin_index; s < m_patch.sectors.end_index; ++s)
       if(quarter_turns_around(s) != quarter_turns_of_sector(m_surface, m_index, s))
-        return true;
-    return false;
+        m_wrong_sectors.push_back(s);
   }
 
   const Cut_surface& m_surface;
   const Patch& m_patch;
   const std::vector<int>& m_index;
   const Seamless_map& m_map;
-  Map_status m_status;
+  std::vector<int> m_inverted_faces, m_faces_of_faulty_edges, m_wrong_sectors;
 };
 
 } // namespace internal

@@ -41,6 +41,7 @@ public:
   // The least of all determinants and growths; positive if the map is untangled.
   double least() const { return m_least; }
   int number_of_steps() const { return m_number_of_steps; }
+  int number_of_evaluations() const { return m_number_of_evaluations; }
 
   // Takes at most `maximum_number_of_steps` steps; returns whether the map is untangled.
   bool untangle(const int maximum_number_of_steps)
@@ -76,6 +77,13 @@ private:
     m_basis.multiply_transposed(m_gradient_of_x, gradient);
   }
 
+  // The part of a step at which the parabola through both ends, with the slope at the beginning, is least.
+  static double shortening(const double slope, const double gain)
+  {
+    const double minimum = -slope / (2 * (gain - slope));
+    return minimum > 0.1 ? (std::min)(minimum, 0.5) : 0.1; // not a number if the energy is not
+  }
+
   // One step downhill; returns whether the next one may go on from there.
   bool step()
   {
@@ -94,15 +102,20 @@ private:
       slope = inner_product(m_gradient, direction);
     }
     const double old_least = m_least;
-    double length = 1;
-    for(int trial = 0; trial < 40; ++trial, length /= 2)
+    double length = m_lbfgs.has_memory() ? (std::min)(1., 4 * m_length) : 1;
+    for(int trial = 0; trial < 40; ++trial)
     {
       std::vector<double> z = m_z, gradient;
       add_multiple(z, length, direction);
       double value;
       evaluate(z, value, gradient);
+      ++m_number_of_evaluations;
       if(!(value < m_value + 1e-4 * length * slope))
+      {
+        length *= shortening(length * slope, value - m_value);
         continue;
+      }
+      m_length = length;
       for(std::size_t i = 0; i < direction.size(); ++i)
       {
         direction[i] *= length;
@@ -127,7 +140,8 @@ private:
   std::vector<double> m_x, m_gradient_of_x;
   std::vector<double> m_gradient;
   double m_value = 0, m_least = 0;
-  int m_number_of_steps = 0;
+  int m_number_of_steps = 0, m_number_of_evaluations = 0;
+  double m_length = 1; // of the last step
   bool m_is_stuck = false;
 };
 

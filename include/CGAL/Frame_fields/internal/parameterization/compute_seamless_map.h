@@ -76,8 +76,105 @@ inline bool write_map(const Patch& patch, const Cut_graph& graph, const Map_basi
   return true;
 }
 
-// Computes the map of one patch: `alpha` and `rho` are the relaxed field, `target_length` is per face, in the unit of
-// `Cut_surface::length`. Writes only to the entries of the patch.
+// The map of one patch, found by least squares and untangling. What still is at fault then becomes stiffer, and all
+// begins anew.
+class Patch_parameterization
+{
+public:
+  // `alpha` and `rho` are the relaxed field, `target_length` is per face, in the unit of `Cut_surface::length`.
+  Patch_parameterization(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
+                         const std::vector<double>& rho, const std::vector<int>& matching,
+                         const std::vector<int>& index, const std::vector<double>& target_length)
+    : m_surface(surface), m_patch(patch), m_index(index)
+    , m_combing(comb(surface, patch, matching, patch.faces.begin_index))
+    , m_graph(Patch_cutter(surface, patch, index, m_combing).cut())
+    , m_field(surface, patch, alpha, rho, m_combing)
+    , m_basis(surface, patch, m_graph, m_field)
+    , m_elements(surface, patch, m_field, m_graph, target_length, m_basis.side_edges())
+  {}
+
+  template <typename SolverTraits>
+  Map_status compute(const SolverTraits& solver_traits, Seamless_map& map, int& fraction_bits)
+  {
+    if(m_basis.has_overflow())
+      return Map_status::SOLVER_FAILED;
+    if(m_basis.has_forced_zero_side())
+      return Map_status::FORCED_ZERO_SIDE;
+    std::copy(m_combing.quarter_turns.begin(), m_combing.quarter_turns.end(),
+              map.quarter_turns.begin() + 3 * m_patch.faces.begin_index);
+    m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
+    Map_status status = Map_status::SOLVER_FAILED;
+    for(int attempt = 0; attempt < maximum_number_of_attempts; ++attempt)
+    {
+      std::vector<double> z;
+      if(!solve_and_untangle(solver_traits, z) || !write(z, map, fraction_bits))
+        return Map_status::SOLVER_FAILED;
+      const Map_certificate certificate(m_surface, m_patch, m_index,
+                                        [this](const int h) { return m_field.branch_along(h); }, map);
+      status = certificate.status();
+      if(status == Map_status::CERTIFIED)
+        return status;
+      stiffen_around_faults(certificate, 3);
+    }
+    return status;
+  }
+
+private:
+  static constexpr int maximum_number_of_attempts = 8, maximum_number_of_steps = 400;
+
+  template <typename SolverTraits>
+  bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z) const
+  {
+    const Frame_energy energy(m_elements, m_basis);
+    auto solver = solver_traits.real_solver_object();
+    if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
+      return false;
+    Untangler<decltype(solver)>(m_elements, m_basis, solver, z).untangle(maximum_number_of_steps);
+    return true;
+  }
+
+  bool write(const std::vector<double>& z, Seamless_map& map, int& fraction_bits) const
+  {
+    std::vector<double> x;
+    m_basis.multiply(z, x);
+    fraction_bits = fraction_bits_for(z, x);
+    return fraction_bits >= 0 && write_map(m_patch, m_graph, m_basis, z, fraction_bits, map);
+  }
+
+  void stiffen_around_faults(const Map_certificate& certificate, const double factor)
+  {
+    std::vector<char> is_stiffer(m_patch.faces.size(), false);
+    const auto mark = [&](const int corner) { is_stiffer[face_of(corner) - m_patch.faces.begin_index] = true; };
+    const auto mark_around = [&](const int sector)
+    {
+      for_each_corner(m_surface.opposite, m_surface.first_corner[sector], mark);
+    };
+    for(const int s : certificate.wrong_sectors())
+      for_each_corner(m_surface.opposite, m_surface.first_corner[s], [&](const int corner)
+      {
+        for(const int c : { corner, next_of(corner), previous_of(corner) })
+          mark_around(m_surface.sector[c]);
+      });
+    for(const int f : certificate.inverted_faces())
+      mark(3 * f);
+    for(const int f : certificate.faces_of_faulty_edges())
+      mark(3 * f);
+    for(int f = 0; f < m_patch.faces.size(); ++f)
+      if(is_stiffer[f])
+        m_elements.stiffen(f, factor);
+  }
+
+  const Cut_surface& m_surface;
+  const Patch& m_patch;
+  const std::vector<int>& m_index;
+  Combing m_combing;
+  Cut_graph m_graph;
+  Combed_field m_field;
+  Map_basis m_basis;
+  Map_elements m_elements;
+};
+
+// Computes the map of one patch. Writes only to the entries of the patch.
 template <typename SolverTraits>
 Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch& patch,
                                          const std::vector<double>& alpha, const std::vector<double>& rho,
@@ -87,33 +184,8 @@ Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch
 {
   if(!has_room_for_quads(surface, patch, index))
     return Map_status::WRONG_CONE;
-  const Combing combing = comb(surface, patch, matching, patch.faces.begin_index);
-  std::copy(combing.quarter_turns.begin(), combing.quarter_turns.end(),
-            map.quarter_turns.begin() + 3 * patch.faces.begin_index);
-  const Cut_graph graph = Patch_cutter(surface, patch, index, combing).cut();
-  const Combed_field field(surface, patch, alpha, rho, combing);
-  Map_basis basis(surface, patch, graph, field);
-  if(basis.has_overflow())
-    return Map_status::SOLVER_FAILED;
-  if(basis.has_forced_zero_side())
-    return Map_status::FORCED_ZERO_SIDE;
-
-  const Map_elements elements(surface, patch, field, graph, target_length, basis.side_edges());
-  const Frame_energy energy(elements, basis);
-  basis.reorder(energy.unknowns_in_elimination_order(solver_traits));
-  auto solver = solver_traits.real_solver_object();
-  std::vector<double> z, x;
-  if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
-    return Map_status::SOLVER_FAILED;
-
-  Untangler<decltype(solver)> untangler(elements, basis, solver, z);
-  untangler.untangle(400);
-
-  basis.multiply(z, x);
-  fraction_bits = fraction_bits_for(z, x);
-  if(fraction_bits < 0 || !write_map(patch, graph, basis, z, fraction_bits, map))
-    return Map_status::SOLVER_FAILED;
-  return Map_certificate(surface, patch, index, [&](const int h) { return field.branch_along(h); }, map).status();
+  Patch_parameterization parameterization(surface, patch, alpha, rho, matching, index, target_length);
+  return parameterization.compute(solver_traits, map, fraction_bits);
 }
 
 template <typename ConcurrencyTag, typename SolverTraits>
