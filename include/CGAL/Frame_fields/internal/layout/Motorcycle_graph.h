@@ -14,13 +14,13 @@
 
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/layout/Trace.h>
+#include <CGAL/Frame_fields/internal/layout/Trace_encounters.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,85 +29,55 @@ namespace Frame_fields {
 namespace internal {
 
 // Traces in one patch that start together and run at the same speed until they reach the border, or a point where a
-// perpendicular trace was before. Of two that come at the same time, the one that was added later ends. Two traces that
-// run against each other meet halfway and become one line.
+// perpendicular trace was before. Two traces that run against each other meet halfway and become one line.
 //
 // The points where traces cross have integer coordinates, so that the times are integers; no other point is needed.
-// A trace enters a face not later than at the time of its entry, in the order of the heap, and is compared there with
+// A trace enters a face not later than at the time of its entry, in the order of the queue, and is compared there with
 // all traces that did so. Thus whatever happens at a time is known before anything of this time is decided.
 class Motorcycle_graph
 {
 public:
-  // Every sector with `has_ports` ends the traces that come to it.
-  Motorcycle_graph(const Seamless_charts& charts, const Patch& patch, const std::vector<char>& has_ports)
-    : m_charts(charts), m_surface(charts.surface()), m_patch(patch), m_has_ports(has_ports)
-    , m_first_in_face(patch.faces.size(), -1), m_first_at_vertex(patch.sectors.size(), -1)
-    , m_maximum_number_of_segments(100000 + 256 * static_cast<std::size_t>(patch.faces.size()))
-    , m_maximum_number_of_comparisons(1000 * m_maximum_number_of_segments) {}
+  // A crossing, of which both traces tell.
+  typedef std::pair<Trace_passing, T_mesh_location> Crossing;
+
+  Motorcycle_graph(const Seamless_charts& charts, const Patch& patch)
+    : m_charts(charts), m_surface(charts.surface()), m_patch(patch), m_encounters(charts, patch, m_traces, m_queue)
+    , m_has_ports(patch.sectors.size(), 0) {}
+
+  Motorcycle_graph(const Motorcycle_graph&) = delete; // its parts refer to each other
+  Motorcycle_graph& operator=(const Motorcycle_graph&) = delete;
 
   const std::vector<Trace>& traces() const { return m_traces; }
-  const std::vector<Trace_segment>& segments() const { return m_segments; }
-  const std::vector<Trace_passing>& passings() const { return m_passings; }
+  const std::vector<Trace_segment>& segments() const { return m_encounters.segments(); }
+  const std::vector<Crossing>& crossings() const { return m_crossings; }
 
   void add_trace(const int sector, const Port& port)
   {
-    const Grid_ray ray = { port.direction, m_charts.point(port.corner) };
-    m_traces.push_back(Trace{ vertex_location(sector), port.slot, m_round });
-    m_fronts.push_back({ -1, -1, ray });
-    leave_vertex(static_cast<int>(m_traces.size()) - 1, port.corner);
+    m_has_ports[sector - m_patch.sectors.begin_index] = 1;
+    m_traces.push_back(Trace{ sector, port.slot });
+    m_fronts.push_back({ -1, port.corner, { port.direction, m_charts.point(port.corner) } });
   }
 
-  // A trace from a point that is no vertex, in the chart of `start.face`.
-  void add_trace(const T_mesh_location& start, const int direction)
-  {
-    m_traces.push_back(Trace{ start, direction, m_round });
-    m_fronts.push_back({ start.face, -1, { direction, start.point } });
-    leave_point(static_cast<int>(m_traces.size()) - 1);
-  }
-
-  // Runs until all traces have ended. Returns false if the map cannot be a certified one, or if the traces need more
-  // than 100,000 segments and 256 per face, or a thousand times as many comparisons.
+  // Runs until all traces have ended. Returns false if the map cannot be a certified one, or if the traces need too
+  // much room: more than 100,000 segments and 256 per face, 100 times as many comparisons or 10 times as many events.
   bool run()
   {
-    while(!m_heap.empty() && m_is_valid)
+    for(int trace = 0; trace < static_cast<int>(m_traces.size()); ++trace)
+      leave_vertex(trace);
+    while(!m_queue.empty() && m_is_valid && has_room())
     {
-      std::pop_heap(m_heap.begin(), m_heap.end(), Later());
-      const Event event = m_heap.back();
-      m_heap.pop_back();
-      if(event.kind == ADVANCE)
-        advance(event.trace, event.double_time);
-      else if(event.kind == MEET)
+      const Trace_event event = m_queue.pop();
+      if(event.kind == Trace_event::ADVANCE)
+        advance(event.later.trace, event.double_time);
+      else if(event.kind == Trace_event::MEET)
         meet(event);
       else
         cross(event);
     }
-    ++m_round;
-    return m_is_valid;
+    return m_is_valid && m_queue.empty();
   }
 
 private:
-  enum Kind { ADVANCE, MEET, CROSS };
-
-  struct Event
-  {
-    std::int64_t double_time;
-    Kind kind;
-    int trace;         // the one that comes later, if two cross
-    int other;
-    std::int64_t time, time_of_other; // with CROSS
-    int slot, slot_of_other;
-    T_mesh_location location;
-  };
-
-  struct Later
-  {
-    static std::tuple<std::int64_t, int, int, int> key(const Event& e)
-    {
-      return std::make_tuple(e.double_time, static_cast<int>(e.kind), e.trace, e.other);
-    }
-    bool operator()(const Event& a, const Event& b) const { return key(a) > key(b); }
-  };
-
   // Where a trace goes next: into a face, or to the vertex of a corner.
   struct Front
   {
@@ -115,24 +85,11 @@ private:
     Grid_ray ray;     // in the chart of that face, or of that of the corner
   };
 
-  struct Arrival
+  bool has_room() const
   {
-    int trace;
-    std::int64_t time;
-    int direction; // in the chart of the first corner
-    int next;
-  };
-
-  T_mesh_location vertex_location(const int sector) const
-  {
-    const int corner = m_surface.first_corner[sector];
-    return { sector, -1, face_of(corner), m_charts.point(corner) };
-  }
-
-  void push(const Event& event)
-  {
-    m_heap.push_back(event);
-    std::push_heap(m_heap.begin(), m_heap.end(), Later());
+    const std::size_t segments = 100000 + 256 * static_cast<std::size_t>(m_patch.faces.size());
+    return m_encounters.segments().size() <= segments && m_encounters.number_of_comparisons() <= 100 * segments
+        && m_queue.number_of_events() <= 10 * segments;
   }
 
   void advance(const int trace, const std::int64_t double_time)
@@ -147,47 +104,37 @@ private:
 
   void arrive_at_vertex(const int trace)
   {
-    const Front& front = m_fronts[trace];
-    const int corner = front.corner, sector = m_surface.sector[corner];
-    const std::int64_t time = front.ray.time(m_charts.point(corner));
+    const int corner = m_fronts[trace].corner, sector = m_surface.sector[corner];
+    Grid_ray ray = m_fronts[trace].ray;
+    const std::int64_t time = ray.time(m_charts.point(corner));
+    const int first_corner = m_surface.first_corner[sector];
+    const T_mesh_location vertex = { sector, -1, face_of(first_corner), m_charts.point(first_corner) };
     if(m_has_ports[sector - m_patch.sectors.begin_index])
       m_is_valid = false; // the trace that left by this port should have met it
     else if(m_surface.is_constrained_sector(sector))
-      end_on_border(trace, time, vertex_location(sector));
+      end_on_border(trace, time, vertex);
+    else if(m_charts.turn_to_first_corner(corner, ray) < 0)
+      m_is_valid = false;
     else
     {
-      register_at_vertex(trace, corner, time);
-      leave_vertex(trace, corner);
+      m_encounters.add_arrival(sector, vertex, { trace, time, ray.direction });
+      leave_vertex(trace);
     }
   }
 
   // Starts or goes on from the vertex of a corner, in the direction of the front.
-  void leave_vertex(const int trace, int corner)
+  void leave_vertex(const int trace)
   {
     Grid_ray ray = m_fronts[trace].ray;
-    corner = m_charts.turn_to_direction(corner, ray);
+    const int corner = m_charts.turn_to_direction(m_fronts[trace].corner, ray);
     if(corner < 0)
     {
       m_is_valid = false;
       return;
     }
-    const int halfedge = next_of(corner);
     m_fronts[trace] = { face_of(corner), -1, ray };
-    if(left_of(ray.direction, m_charts.edge(halfedge)) == 0)
-      run_along(trace, halfedge, ray);
-    else
-      cross_face(trace);
-  }
-
-  // Starts from a point inside a face or inside an edge.
-  void leave_point(const int trace)
-  {
-    const Departure departure = m_charts.depart(m_fronts[trace].face, m_fronts[trace].ray);
-    m_fronts[trace] = { departure.face, -1, departure.ray };
-    if(departure.face < 0)
-      m_is_valid = false;
-    else if(departure.halfedge >= 0)
-      run_along(trace, departure.halfedge, departure.ray);
+    if(left_of(ray.direction, m_charts.edge(next_of(corner))) == 0)
+      run_along(trace, next_of(corner), ray);
     else
       cross_face(trace);
   }
@@ -195,15 +142,13 @@ private:
   void run_along(const int trace, const int halfedge, const Grid_ray& ray)
   {
     const int opposite = m_surface.opposite[halfedge];
-    const std::int64_t time = ray.time(m_charts.point(halfedge));
     if(opposite < 0)
     {
       m_is_valid = false;
       return;
     }
-    add_segment(trace, face_of(opposite), m_charts.ray_across(halfedge, ray));
-    add_segment(trace, face_of(halfedge), ray);
-    link_segment(trace, static_cast<double>(time));
+    m_encounters.add_segment(trace, face_of(opposite), m_charts.ray_across(halfedge, ray));
+    m_encounters.add_segment(trace, face_of(halfedge), ray);
     go_to_vertex(trace, halfedge, ray);
   }
 
@@ -212,7 +157,7 @@ private:
   {
     const int face = m_fronts[trace].face;
     const Grid_ray ray = m_fronts[trace].ray;
-    add_segment(trace, face, ray);
+    m_encounters.add_segment(trace, face, ray);
     for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
     {
       const std::int64_t at_source = ray.offset(m_charts.point(previous_of(halfedge)));
@@ -222,9 +167,8 @@ private:
         go_through_edge(trace, halfedge, ray, at_source, at_target);
         return;
       }
-      if(at_target == 0 && at_source < 0 && ray.offset(m_charts.point(next_of(halfedge))) > 0)
+      if(at_source < 0 && at_target == 0 && ray.offset(m_charts.point(next_of(halfedge))) > 0)
       {
-        link_segment(trace, static_cast<double>(ray.time(m_charts.point(halfedge))));
         go_to_vertex(trace, halfedge, ray);
         return;
       }
@@ -234,8 +178,10 @@ private:
 
   void go_to_vertex(const int trace, const int corner, const Grid_ray& ray)
   {
+    const std::int64_t time = ray.time(m_charts.point(corner));
+    link_segment(trace, static_cast<double>(time));
     m_fronts[trace] = { -1, corner, ray };
-    push_advance(trace, 2 * ray.time(m_charts.point(corner)));
+    push_advance(trace, time);
   }
 
   void go_through_edge(const int trace, const int halfedge, const Grid_ray& ray, const std::int64_t at_source,
@@ -246,14 +192,10 @@ private:
     const std::int64_t progress = along(ray.direction, m_charts.edge(halfedge));
     if(m_surface.is_constrained(halfedge))
     {
-      if(progress != 0)
-      {
-        m_is_valid = false;
-        return;
-      }
-      link_segment(trace, static_cast<double>(time_of_target));
       const Grid_vector to_target = rotate({ at_target, 0 }, ray.direction + 1);
+      link_segment(trace, static_cast<double>(time_of_target));
       end_on_border(trace, time_of_target, { -1, halfedge, face_of(halfedge), target - to_target });
+      m_is_valid = m_is_valid && progress == 0;
       return;
     }
     const double share = static_cast<double>(at_target) / static_cast<double>(at_target - at_source);
@@ -264,19 +206,32 @@ private:
     // The rounding errors are below 4 steps of the grid and 2^-50 of the time; an entry that is too early does no harm.
     const std::int64_t earliest = time_of_target - (std::max<std::int64_t>)(progress, 0);
     const std::int64_t error = 4 + static_cast<std::int64_t>(std::ldexp(std::abs(time), -50));
-    push_advance(trace, 2 * (std::max)(earliest, static_cast<std::int64_t>(std::floor(time)) - error));
+    push_advance(trace, (std::max)(earliest, static_cast<std::int64_t>(std::floor(time)) - error));
   }
 
-  void push_advance(const int trace, const std::int64_t double_time)
+  void push_advance(const int trace, const std::int64_t time)
   {
-    const std::int64_t longest = std::int64_t(1) << 60;
-    if(std::abs(double_time) > longest)
+    const std::int64_t longest = std::int64_t(1) << 58;
+    if(std::abs(time) > longest)
       m_is_valid = false;
     else
-      push({ double_time, ADVANCE, trace, -1, 0, 0, 0, 0, {} });
+      m_queue.push({ 2 * time, Trace_event::ADVANCE, { trace, 0, 0 }, { -1, 0, 0 }, {} });
   }
 
-  // A bound: a perpendicular trace may end it before.
+  // Appends the segment added last to its trace.
+  void link_segment(const int trace, const double time_of_exit)
+  {
+    const int segment = static_cast<int>(m_encounters.segments().size()) - 1;
+    Trace& t = m_traces[trace];
+    m_encounters.segments()[segment].time_of_exit = time_of_exit;
+    if(t.last_segment >= 0)
+      m_encounters.segments()[t.last_segment].next_in_trace = segment;
+    else
+      t.first_segment = segment;
+    t.last_segment = segment;
+  }
+
+  // The trace cannot go further, but a perpendicular one may end it before.
   void end_on_border(const int trace, const std::int64_t time, const T_mesh_location& location)
   {
     Trace& t = m_traces[trace];
@@ -287,136 +242,27 @@ private:
     t.end_on_border = location;
   }
 
-  void add_segment(const int trace, const int face, const Grid_ray& ray)
+  void meet(const Trace_event& event)
   {
-    if(m_segments.size() >= m_maximum_number_of_segments || m_number_of_comparisons > m_maximum_number_of_comparisons)
-      m_is_valid = false;
-    int& first = m_first_in_face[face - m_patch.faces.begin_index];
-    for(int other = first; other >= 0; other = m_segments[other].next_in_face, ++m_number_of_comparisons)
-      compare_in_face(face, trace, ray, m_segments[other].trace, m_segments[other].ray);
-    m_segments.push_back({ trace, face, ray, 0, first, -1 });
-    first = static_cast<int>(m_segments.size()) - 1;
-  }
-
-  // Appends the segment added last to its trace.
-  void link_segment(const int trace, const double time_of_exit)
-  {
-    const int segment = static_cast<int>(m_segments.size()) - 1;
-    Trace& t = m_traces[trace];
-    m_segments[segment].time_of_exit = time_of_exit;
-    if(t.last_segment >= 0)
-      m_segments[t.last_segment].next_in_trace = segment;
-    else
-      t.first_segment = segment;
-    t.last_segment = segment;
-  }
-
-  void compare_in_face(const int face, const int a, const Grid_ray& ray_a, const int b, const Grid_ray& ray_b)
-  {
-    if((ray_a.direction - ray_b.direction) % 2 == 0)
-    {
-      if(ray_a.direction != ray_b.direction && ray_a.offset(ray_b.origin) == 0)
-        push_meeting(a, b, ray_a.time(ray_b.origin));
+    Trace &a = m_traces[event.later.trace], &b = m_traces[event.earlier.trace];
+    if(!a.reaches(event.double_time) || !b.reaches(event.double_time))
       return;
-    }
-    const Grid_vector point = ray_a.direction % 2 == 0 ? Grid_vector{ ray_b.origin.u, ray_a.origin.v }
-                                                       : Grid_vector{ ray_a.origin.u, ray_b.origin.v };
-    if(ray_a.time(point) <= 0 || ray_b.time(point) <= 0)
+    a.double_time_of_end = b.double_time_of_end = event.double_time;
+    a.end = b.end = Trace::MEETS_TRACE;
+    a.partner = event.earlier.trace;
+    b.partner = event.later.trace;
+  }
+
+  void cross(const Trace_event& event)
+  {
+    Trace& later = m_traces[event.later.trace];
+    if(!later.reaches(2 * event.later.time) || !m_traces[event.earlier.trace].reaches(2 * event.earlier.time))
       return;
-    T_mesh_location location = { -1, -1, face, point };
-    int edge = -1, number_of_edges = 0;
-    for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    m_crossings.push_back({ event.later, event.location });
+    m_crossings.push_back({ event.earlier, event.location });
+    if(later.double_time_of_end > 2 * event.later.time)
     {
-      const int side = m_charts.side(halfedge, point);
-      if(side < 0)
-        return;
-      if(side == 0)
-      {
-        edge = halfedge;
-        ++number_of_edges;
-      }
-    }
-    if(number_of_edges > 1 || (edge >= 0 && m_surface.is_constrained(edge))) // vertices have their own lists
-      return;
-    int turns = 0;
-    if(edge >= 0 && m_surface.opposite[edge] < edge)
-    {
-      location = { -1, -1, face_of(m_surface.opposite[edge]), m_charts.point_across(edge, point) };
-      turns = m_charts.direction_across(edge, 0);
-    }
-    push_crossing({ a, ray_a.time(point), (ray_a.direction + turns) & 3, location },
-                  { b, ray_b.time(point), (ray_b.direction + turns) & 3, location });
-  }
-
-  void register_at_vertex(const int trace, const int corner, const std::int64_t time)
-  {
-    Grid_ray ray = m_fronts[trace].ray;
-    if(m_charts.turn_to_first_corner(corner, ray) < 0)
-      m_is_valid = false;
-    const int sector = m_surface.sector[corner];
-    const T_mesh_location location = vertex_location(sector);
-    int& first = m_first_at_vertex[sector - m_patch.sectors.begin_index];
-    for(int other = first; other >= 0; other = m_arrivals[other].next)
-    {
-      const Arrival& arrival = m_arrivals[other];
-      const int turn = (ray.direction - arrival.direction) & 3;
-      if(turn == 2)
-        push_meeting(trace, arrival.trace, time + arrival.time);
-      else if(turn != 0)
-        push_crossing({ trace, time, ray.direction, location },
-                      { arrival.trace, arrival.time, arrival.direction, location });
-    }
-    m_arrivals.push_back({ trace, time, ray.direction, first });
-    first = static_cast<int>(m_arrivals.size()) - 1;
-  }
-
-  // Two traces on one line, against each other; `distance` is that of their starts, negative if they run apart.
-  void push_meeting(const int a, const int b, const std::int64_t distance)
-  {
-    if(a != b && distance > 0 && m_traces[a].round == m_traces[b].round)
-      push({ distance, MEET, (std::min)(a, b), (std::max)(a, b), 0, 0, 0, 0, {} });
-  }
-
-  void push_crossing(const Trace_passing& a, const Trace_passing& b)
-  {
-    const auto arrival = [this](const Trace_passing& p)
-    {
-      return std::make_tuple(m_traces[p.trace].round, p.time, p.trace);
-    };
-    const bool is_a_later = arrival(a) > arrival(b);
-    const Trace_passing &later = is_a_later ? a : b, &earlier = is_a_later ? b : a;
-    push({ 2 * later.time, CROSS, later.trace, earlier.trace, later.time, earlier.time, later.slot, earlier.slot,
-           later.location });
-  }
-
-  bool reaches(const int trace, const std::int64_t double_time) const
-  {
-    return m_traces[trace].double_time_of_end >= double_time;
-  }
-
-  void meet(const Event& event)
-  {
-    if(!reaches(event.trace, event.double_time) || !reaches(event.other, event.double_time))
-      return;
-    for(const auto& pair : { std::make_pair(event.trace, event.other), std::make_pair(event.other, event.trace) })
-    {
-      Trace& trace = m_traces[pair.first];
-      trace.double_time_of_end = event.double_time;
-      trace.end = Trace::MEETS_TRACE;
-      trace.partner = pair.second;
-    }
-  }
-
-  void cross(const Event& event)
-  {
-    if(!reaches(event.trace, 2 * event.time) || !reaches(event.other, 2 * event.time_of_other))
-      return;
-    m_passings.push_back({ event.trace, event.time, event.slot, event.location });
-    m_passings.push_back({ event.other, event.time_of_other, event.slot_of_other, event.location });
-    Trace& later = m_traces[event.trace];
-    if(later.double_time_of_end > 2 * event.time)
-    {
-      later.double_time_of_end = 2 * event.time;
+      later.double_time_of_end = 2 * event.later.time;
       later.end = Trace::ON_TRACE;
     }
   }
@@ -424,17 +270,12 @@ private:
   const Seamless_charts& m_charts;
   const Cut_surface& m_surface;
   const Patch& m_patch;
-  const std::vector<char>& m_has_ports; // per sector of the patch
   std::vector<Trace> m_traces;
-  std::vector<Front> m_fronts;          // per trace
-  std::vector<Trace_segment> m_segments;
-  std::vector<int> m_first_in_face;     // per face of the patch: the last segment added
-  std::vector<Arrival> m_arrivals;
-  std::vector<int> m_first_at_vertex;   // per sector of the patch: the last arrival
-  std::vector<Trace_passing> m_passings;
-  std::vector<Event> m_heap;
-  std::size_t m_maximum_number_of_segments, m_maximum_number_of_comparisons, m_number_of_comparisons = 0;
-  int m_round = 0;
+  Trace_event_queue m_queue;
+  Trace_encounters m_encounters;
+  std::vector<Front> m_fronts;     // per trace
+  std::vector<Crossing> m_crossings;
+  std::vector<char> m_has_ports;   // per sector of the patch
   bool m_is_valid = true;
 };
 

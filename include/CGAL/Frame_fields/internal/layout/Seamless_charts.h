@@ -79,13 +79,6 @@ struct Port
   int corner, direction, slot;
 };
 
-// Where a ray goes from a point: into a face, or along a halfedge of it if that is not -1.
-struct Departure
-{
-  int face, halfedge;
-  Grid_ray ray; // in the chart of the face
-};
-
 // The charts of a certified map and what changes from one to the next.
 class Seamless_charts
 {
@@ -175,24 +168,24 @@ public:
     return sign_of_determinant(vector.u, vector.v, difference.u, difference.v);
   }
 
-  // The face into which a ray goes from its origin, a point inside `face` or inside an unconstrained edge of it; along
-  // an edge, the face to the left. The result is face -1 on a constrained edge.
-  Departure depart(const int face, const Grid_ray& ray) const
+  // The face into which a ray goes from its origin, a point inside `face` or inside an unconstrained edge of it, or to
+  // the left of which it goes along the edge; `direction` is that of the ray in the chart of the result.
+  int face_ahead(const int face, const Grid_ray& ray, int& direction) const
   {
+    direction = ray.direction;
     for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
     {
       if(side(halfedge, ray.origin) != 0)
         continue;
-      const int opposite = m_surface.opposite[halfedge];
-      const std::int64_t turn = left_of(ray.direction, edge(halfedge));
-      const bool is_along = turn == 0 && along(ray.direction, edge(halfedge)) > 0;
-      if(opposite < 0)
-        return { -1, -1, ray };
-      if(turn < 0 || is_along)
-        return { face, is_along ? halfedge : -1, ray };
-      return { face_of(opposite), turn == 0 ? opposite : -1, ray_across(halfedge, ray) };
+      const std::int64_t turn = left_of(ray.direction, edge(halfedge)); // negative if the ray points into the face
+      if(turn < 0 || (turn == 0 && along(ray.direction, edge(halfedge)) > 0))
+        return face;
+      if(m_surface.is_constrained(halfedge))
+        return -1;
+      direction = direction_across(halfedge, ray.direction);
+      return face_of(m_surface.opposite[halfedge]);
     }
-    return { face, -1, ray };
+    return face;
   }
 
   // The length in space of a vector of length 1 in a direction.

@@ -17,7 +17,7 @@
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh_cells.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh_graph.h>
-#include <CGAL/Frame_fields/internal/layout/Trace.h>
+#include <CGAL/Frame_fields/internal/layout/T_mesh_nodes.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/quarter_turns_of_sector.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -33,11 +33,11 @@ namespace internal {
 enum class T_mesh_status
 {
   COMPLETE,
-  NOT_CERTIFIED,     // the patch has no certified map
-  WRONG_SECTOR,      // a sector does not have the ports of its index
-  TOO_LONG,          // the traces exceed their bounds
+  NOT_CERTIFIED,      // the patch has no certified map
+  TOO_LONG,           // the traces exceed the bounds of `Motorcycle_graph::run()`
+  WRONG_SECTOR,       // a sector has not the ports of its index; neither this nor what follows is so in certified maps
   OVERLAPPING_PIECES,
-  NO_RECTANGLES      // a cell is no rectangle, or not all cells are disks
+  NO_RECTANGLES       // a cell is no rectangle, or not all cells are disks
 };
 
 struct T_mesh_result
@@ -51,100 +51,84 @@ class T_mesh_maker
 {
 public:
   T_mesh_maker(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index, const Seamless_map& map)
-    : m_surface(surface), m_patch(patch), m_index(index), m_charts(surface, map)
-    , m_is_node(patch.sectors.size(), 0), m_has_ports(patch.sectors.size(), 0)
-    , m_motorcycles(m_charts, patch, m_has_ports) {}
+    : m_surface(surface), m_patch(patch), m_index(index), m_charts(surface, map), m_is_node(patch.sectors.size(), 0)
+    , m_motorcycles(m_charts, patch) {}
 
   T_mesh_result make(const std::vector<char>& is_arc_node)
   {
     for(int sector = m_patch.sectors.begin_index; sector < m_patch.sectors.end_index; ++sector)
-      if(!add_node(sector, is_arc_node[sector] != 0))
+      if((m_index[sector] != 0 || is_arc_node[sector]) && !add_node(sector))
         return { T_mesh_status::WRONG_SECTOR, {} };
-    const bool has_border = 3 * m_patch.faces.size() > 2 * m_patch.dual_edges.size();
-    if(!has_border && m_motorcycles.traces().empty() && m_patch.sectors.size() > 0
-       && !add_node(m_patch.sectors.begin_index, true))
+    if(is_torus_or_annulus() && !add_virtual_ports())
       return { T_mesh_status::WRONG_SECTOR, {} };
+    if(!m_motorcycles.run())
+      return { T_mesh_status::TOO_LONG, {} };
 
-    // Each virtual port but the first one cuts an annulus, of which there are not more than pieces.
-    for(int round = 0; round <= 3 * m_patch.faces.size(); ++round)
-    {
-      if(!m_motorcycles.run())
-        return { T_mesh_status::TOO_LONG, {} };
-      T_mesh_graph graph(m_charts, m_patch, m_index, m_motorcycles);
-      if(!graph.build(m_is_node))
-        return { T_mesh_status::OVERLAPPING_PIECES, {} };
-      T_mesh_cells cells(m_charts, graph);
-      if(!cells.build())
-        break;
-      if(cells.loop_without_corner() < 0)
-        return finish(graph);
-      if(!add_virtual_port(graph, cells.loop_without_corner()))
-        break;
-    }
-    return { T_mesh_status::NO_RECTANGLES, {} };
+    const T_mesh_nodes nodes(m_charts, m_patch, m_is_node, m_motorcycles);
+    T_mesh_graph graph(m_charts, m_patch, m_index, nodes);
+    if(!graph.build(m_motorcycles))
+      return { T_mesh_status::OVERLAPPING_PIECES, {} };
+    T_mesh_cells cells(m_charts, graph);
+    if(!cells.build())
+      return { T_mesh_status::NO_RECTANGLES, {} };
+    const std::size_t characteristic = nodes.nodes().size() - graph.pieces().size() + cells.cells().size();
+    if(static_cast<int>(characteristic) != euler_characteristic(m_patch))
+      return { T_mesh_status::NO_RECTANGLES, {} };
+    return { T_mesh_status::COMPLETE, { nodes.nodes(), graph.pieces(), std::move(cells.cells()) } };
   }
 
 private:
-  // Adds the ports of a sector if it needs them. Returns whether it has as many as its index says.
-  bool add_node(const int sector, const bool is_marked)
+  // Returns whether a sector has as many ports as its index says. A regular one on constrained edges needs none.
+  bool add_node(const int sector)
+  {
+    m_is_node[sector - m_patch.sectors.begin_index] = 1;
+    const bool is_constrained = m_surface.is_constrained_sector(sector);
+    return (m_index[sector] == 0 && is_constrained) || add_ports(sector);
+  }
+
+  bool add_ports(const int sector)
   {
     const int quads = quarter_turns_of_sector(m_surface, m_index, sector);
-    const bool is_constrained = m_surface.is_constrained_sector(sector), is_regular = m_index[sector] == 0;
-    const int place = sector - m_patch.sectors.begin_index;
-    if(is_regular && !is_marked)
-      return true;
-    m_is_node[place] = 1;
-    if(is_regular && is_constrained)
-      return true;
-    m_has_ports[place] = 1;
     const std::vector<Port> ports = m_charts.ports(sector);
-    if(quads < 1 || static_cast<int>(ports.size()) != quads - (is_constrained ? 1 : 0))
-      return false;
     for(const Port& port : ports)
       m_motorcycles.add_trace(sector, port);
-    return true;
+    const int expected = m_surface.is_constrained_sector(sector) ? quads - 1 : quads;
+    return quads >= 1 && static_cast<int>(ports.size()) == expected;
   }
 
-  // Starts a trace from the first node of a loop without corner, into the annulus to the left of it.
-  bool add_virtual_port(const T_mesh_graph& graph, const int directed_piece)
+  // Without ports all sectors are regular or corners, of which a patch has four times its Euler characteristic: it is
+  // a torus, an annulus, or a rectangle, which needs no port.
+  bool is_torus_or_annulus() const
   {
-    const int node = graph.source(directed_piece);
-    const T_mesh_location& location = graph.location(node);
-    const int slot = (graph.slot(directed_piece) + 1) % graph.number_of_slots(node);
-    if(location.sector < 0)
-    {
-      m_motorcycles.add_trace(location, slot);
-      return location.halfedge < 0;
-    }
-    m_is_node[location.sector - m_patch.sectors.begin_index] = 1;
-    for(const Port& port : m_charts.ports(location.sector))
-      if(port.slot == slot)
-      {
-        m_motorcycles.add_trace(location.sector, port);
-        return true;
-      }
-    return false;
+    return m_motorcycles.traces().empty() && euler_characteristic(m_patch) == 0;
   }
 
-  T_mesh_result finish(T_mesh_graph& graph) const
+  // One port from the border to the other border, or the four ports of a vertex of the torus, make all cells disks.
+  bool add_virtual_ports()
   {
-    const T_mesh& mesh = graph.mesh();
-    const std::size_t number = mesh.nodes.size() + mesh.cells.size() - mesh.pieces.size();
-    if(static_cast<int>(number) != euler_characteristic(m_patch))
-      return { T_mesh_status::NO_RECTANGLES, {} };
-    return { T_mesh_status::COMPLETE, std::move(graph.mesh()) };
+    int best = m_patch.sectors.begin_index;
+    for(int sector = best; sector < m_patch.sectors.end_index; ++sector)
+      if(rank(sector) > rank(best))
+        best = sector;
+    m_is_node[best - m_patch.sectors.begin_index] = 1;
+    return add_ports(best);
+  }
+
+  int rank(const int sector) const
+  {
+    return m_surface.is_constrained_sector(sector) ? 1 + m_is_node[sector - m_patch.sectors.begin_index] : 0;
   }
 
   const Cut_surface& m_surface;
   const Patch& m_patch;
   const std::vector<int>& m_index;
   Seamless_charts m_charts;
-  std::vector<char> m_is_node, m_has_ports; // per sector of the patch
+  std::vector<char> m_is_node; // per sector of the patch
   Motorcycle_graph m_motorcycles;
 };
 
-// The T-mesh of one patch; patches may run in parallel. `index` is 4 I per sector. A sector with `is_arc_node` becomes
-// a node, and so does every one that is not regular. With a certified map the status is COMPLETE or TOO_LONG.
+// The T-mesh of one of the patches of `surface`, which may run in parallel. `index` is 4 I per sector. A sector with
+// `is_arc_node` becomes a node, and so does every one that is not regular.
 inline T_mesh_result make_T_mesh(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index,
                                  const Seamless_map& map, const std::vector<char>& is_arc_node)
 {
