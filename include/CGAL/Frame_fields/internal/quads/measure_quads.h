@@ -178,8 +178,8 @@ inline void connect_sides(Polygon_mesh& mesh)
   }
 }
 
-// The quads in space. Sides between patches count as constrained, and those that `is_on_arc` names (four per quad; it may
-// be empty), as both quads of a side on an arc can be of one patch.
+// The quads in space. Sides between patches count as constrained, and those that `is_on_arc` names (four per quad; it
+// may be empty), as both quads of a side on an arc can be of one patch.
 inline Polygon_mesh polygon_mesh(const Quad_complex& complex, const std::vector<Coordinates>& points,
                                  const std::vector<char>& is_on_arc = {})
 {
