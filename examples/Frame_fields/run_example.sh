@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs what is needed (Debian packages), builds the program cad_frame_field, runs it on two CAD models and renders
-# the results. Everything is written below build/.
+# Installs what is needed (Debian packages), builds the programs cad_frame_field and cad_quad_mesh, runs them on two CAD
+# models and renders the fields and the quadrangles. Everything is written below build/.
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -8,26 +8,50 @@ sh package_info/Frame_fields/install_debian_packages.sh g++ make cmake libcgal-d
   libtbb-dev libboost-program-options-dev nlohmann-json3-dev python3 python3-numpy python3-vtk9 xvfb xauth
 
 cmake --preset release
-cmake --build --preset release --target cad_frame_field --parallel "$(nproc)"
+cmake --build --preset release --target cad_frame_field cad_quad_mesh --parallel "$(nproc)"
 
 output=build/release/example
 mkdir -p "$output"
 tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$output" data/meshes/mech-holes-shark.off
 
-render() # name title model [option...]
+# Programs and pictures need no screen.
+draw() { LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum /usr/bin/python3 "$@"; }
+
+field() # name title model [option...]
 {
   name=$1 title=$2
   shift 2
   build/release/bin/cad_frame_field "$@" -o "$output/$name.ply" --vtp "$output/$name.vtp" --report "$output/$name.json"
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum /usr/bin/python3 examples/Frame_fields/render_frame_field.py \
-    "$output/$name.vtp" "$output/$name.png" --title "$title" --focus-sharpest
+  draw examples/Frame_fields/render_frame_field.py "$output/$name.vtp" "$output/$name.png" --title "$title" \
+    --focus-sharpest
 }
 
-render flange "Flange: sharp corners get index 1/4" \
-  examples/Frame_fields/data/flange.off --features examples/Frame_fields/data/flange.feat
-render flange_baseline "Flange: the smoothest field, without correction" \
-  examples/Frame_fields/data/flange.off --features examples/Frame_fields/data/flange.feat \
-  --support none --no-repair --no-relaxation --no-baseline --quiet
-render mech-holes-shark "mech-holes-shark" "$output/data/meshes/mech-holes-shark.off"
+quads() # name model [option...]
+{
+  name=$1
+  shift
+  build/release/bin/cad_quad_mesh "$@" -o "$output/$name.vtp" -o "$output/$name.obj" -o "$output/$name.msh" \
+    --report "$output/$name.json"
+}
 
-echo "Look at $output/flange.png, $output/flange_baseline.png and $output/mech-holes-shark.png"
+smoothest="--support none --no-repair --no-relaxation"
+flange="examples/Frame_fields/data/flange.off --features examples/Frame_fields/data/flange.feat"
+shark="$output/data/meshes/mech-holes-shark.off"
+
+# shellcheck disable=SC2086 # one word an argument
+{
+  field flange "Flange: sharp corners get index 1/4" $flange
+  field flange_baseline "Flange: the smoothest field, without correction" $flange $smoothest --no-baseline --quiet
+  field mech-holes-shark "mech-holes-shark" "$shark"
+
+  quads flange_quads $flange
+  quads flange_baseline_quads $flange $smoothest --quiet
+  quads mech-holes-shark_quads "$shark"
+}
+draw examples/Frame_fields/render_quad_mesh.py "$output/flange_quads.vtp" "$output/flange_baseline_quads.vtp" \
+  "$output/flange_quads.png" --title "Our field" --title "The smoothest field" --view 30 40 --view 210 -30
+draw examples/Frame_fields/render_quad_mesh.py "$output/mech-holes-shark_quads.vtp" \
+  "$output/mech-holes-shark_quads.png" --title "mech-holes-shark" --view 30 40 --view 210 -30
+
+echo "Look at flange.png, flange_baseline.png, mech-holes-shark.png, flange_quads.png and mech-holes-shark_quads.png"
+echo "in $output; the quadrangles are in files .vtp (ParaView), .obj and .msh (Gmsh) beside them."

@@ -381,7 +381,7 @@ class ProgramTest(unittest.TestCase):
         content = self.content_of_folder()
         completed = self.run_program(*arguments, **settings)
         self.assertEqual(completed.returncode, exit_code, completed.stderr)
-        self.assertRegex(completed.stderr, r"\Acad_frame_field: error: .*\n\Z")
+        self.assertRegex(completed.stderr, rf"\A{paths.program.name}: error: .*\n\Z")
         self.assertIn(message, completed.stderr)
         self.assertFalse(completed.stdout)
         self.assertEqual(self.content_of_folder(), content)
@@ -1864,7 +1864,7 @@ class DrawingExample(ProgramTest):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, epilog="Further arguments, such as tests, go to unittest.")
-    parser.add_argument("program", type=pathlib.Path, help="the executable cad_frame_field; the examples are beside it")
+    parser.add_argument("program", type=pathlib.Path, help="the executable under test; the examples are beside it")
     parser.add_argument("sources", type=pathlib.Path, help="the folder of the package")
     parser.add_argument("cgal_data", type=pathlib.Path, help="the data folder of CGAL, which holds meshes/")
     parser.add_argument("cad_data", type=pathlib.Path, help="a folder with CAD models, which may be missing")

@@ -121,16 +121,17 @@ inline Vtp_content vtp_content(const Mesh& mesh, const Feature_map is_feature, c
 
 inline void write_vtp(std::ostream& out, const Vtp_content& content)
 {
-  write_vtp_file(out, content.points, content.verts, content.lines, content.polys, [&](Appended_arrays& arrays)
+  write_vtp_file(out, content.points, content.verts, content.lines, content.polys,
+                 [&](std::ostream& cell_data, Appended_arrays& arrays)
   {
-    return "<CellData>\n"
-      + arrays.add("u", content.u, 3) + arrays.add("v", content.v, 3)
-      + arrays.add("alpha", content.alpha) + arrays.add("rho", content.rho)
-      + arrays.add("index", content.index)
-      + arrays.add("sharp_corner", content.sharp_corner)
-      + arrays.add("interior", content.interior)
-      + arrays.add("streamline", content.streamline)
-      + "</CellData>\n";
+    cell_data << "<CellData>\n"
+              << arrays.add("u", content.u, 3) << arrays.add("v", content.v, 3)
+              << arrays.add("alpha", content.alpha) << arrays.add("rho", content.rho)
+              << arrays.add("index", content.index)
+              << arrays.add("sharp_corner", content.sharp_corner)
+              << arrays.add("interior", content.interior)
+              << arrays.add("streamline", content.streamline)
+              << "</CellData>\n";
   });
 }
 

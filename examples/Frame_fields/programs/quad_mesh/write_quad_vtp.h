@@ -80,13 +80,14 @@ inline void write_quad_vtp(std::ostream& out, const Quads& quads)
   add_irregular_vertices(quads, content);
   add_feature_edges(quads.mesh, feature_curves(quads.mesh, quads.is_feature), content);
   add_quads(quads, content);
-  write_vtp_file(out, content.points, content.verts, content.lines, content.polys, [&](Appended_arrays& arrays)
+  write_vtp_file(out, content.points, content.verts, content.lines, content.polys,
+                 [&](std::ostream& cell_data, Appended_arrays& arrays)
   {
-    return "<CellData>\n"
-      + arrays.add("valence", content.valence) + arrays.add("on_feature", content.on_feature)
-      + arrays.add("curve", content.curve) + arrays.add("patch", content.patch)
-      + arrays.add("scaled_jacobian", content.scaled_jacobian)
-      + "</CellData>\n";
+    cell_data << "<CellData>\n"
+              << arrays.add("valence", content.valence) << arrays.add("on_feature", content.on_feature)
+              << arrays.add("curve", content.curve) << arrays.add("patch", content.patch)
+              << arrays.add("scaled_jacobian", content.scaled_jacobian)
+              << "</CellData>\n";
   });
 }
 

@@ -26,11 +26,11 @@ inline std::string cells_element(const std::string& kind, const Vtp_cells& cells
          + "</" + kind + ">\n";
 }
 
-// Writes VTK XML PolyData with appended raw data. `attributes(arrays)` adds the arrays of cells and points and returns
-// the elements that refer to them.
-template <typename Attributes>
+// Writes VTK XML PolyData with appended raw data. `write_attributes(out, arrays)` writes the elements of the attributes
+// of cells and points, whose arrays it adds.
+template <typename WriteAttributes>
 void write_vtp_file(std::ostream& out, const std::vector<double>& points, const Vtp_cells& verts,
-                    const Vtp_cells& lines, const Vtp_cells& polys, const Attributes& attributes)
+                    const Vtp_cells& lines, const Vtp_cells& polys, const WriteAttributes& write_attributes)
 {
   Appended_arrays arrays;
   out << "<?xml version=\"1.0\"?>\n"
@@ -42,9 +42,9 @@ void write_vtp_file(std::ostream& out, const std::vector<double>& points, const 
       << "<Points>\n" << arrays.add("points", points, 3) << "</Points>\n"
       << cells_element("Verts", verts, arrays)
       << cells_element("Lines", lines, arrays)
-      << cells_element("Polys", polys, arrays)
-      << attributes(arrays)
-      << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+      << cells_element("Polys", polys, arrays);
+  write_attributes(out, arrays);
+  out << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
   out.write(arrays.data().data(), static_cast<std::streamsize>(arrays.data().size()));
   out << "\n</AppendedData>\n</VTKFile>\n";
 }
