@@ -29,6 +29,7 @@
 #include <CGAL/Frame_fields/frame_vectors.h>
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>
 #include <CGAL/Frame_fields/parameters.h>
+#include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/sharp_corners.h>

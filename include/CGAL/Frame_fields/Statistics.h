@@ -66,14 +66,19 @@ struct Statistics
   /// the number of sharp corners, as `sharp_corners()` lists them, whatever the support strategy
   std::size_t number_of_sharp_corners = 0;
 
-  /// the number of sectors on constrained edges whose index the repair brought from \f$ 1/2 \f$ or more down to
-  /// \f$ 1/4 \f$
+  /// the number of sectors on constrained edges whose index the repair changed
   std::size_t number_of_repaired_sectors = 0;
 
   /// the number of sectors on constrained edges that still have an index of \f$ 1/2 \f$ or more
   std::size_t number_of_unmeshable_sectors = 0;
 
-  /// the number of sharp corners that did not get the index nearest to their angle
+  /// the number of sectors on no constrained edge with an index of \f$ 1/2 \f$ or more: at most two quadrangles
+  std::size_t number_of_unmeshable_inner_sectors = 0;
+
+  /// the number of sectors on constrained edges that do not have their natural index, the one nearest to their angle
+  std::size_t number_of_unnatural_sectors = 0;
+
+  /// the number of sharp corners among the sectors that do not have their natural index
   std::size_t number_of_unnatural_corners = 0;
 
   /// the number of faces whose skewness was brought back to the maximum

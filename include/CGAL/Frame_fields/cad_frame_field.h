@@ -90,13 +90,15 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDefault{`Support_strategy::rings(4)`}
   \cgalParamNEnd
   \cgalParamNBegin{repair_matching}
-    \cgalParamDescription{tells whether the matching is changed until no sector on a constrained edge has an index of
-                          \f$ 1/2 \f$ or more}
+    \cgalParamDescription{tells whether the matching is changed until every sector on constrained edges has its natural
+                          index \f$ 1/2 - k/4 \f$, where \f$ k = \max(1, \mathrm{round}(2 \theta / \pi)) \f$, and every
+                          other sector an index of at most \f$ 1/4 \f$}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
-                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
-                    least. The first part succeeds in every patch of at least four sectors.}
+    \cgalParamExtra{Indices move inside along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. A
+                    patch has room for this after `prepare_for_frame_field()`. In others as many sectors as possible
+                    become natural, and none on constrained edges keeps an index of \f$ 1/2 \f$ or more if the patch has
+                    at least four sectors. With `false` the field is that of the paper.}
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_weight}
     \cgalParamDescription{the weight \f$ \epsilon \f$ of the squared skewness in the relaxation}
@@ -198,8 +200,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNEnd
   \cgalParamNBegin{repaired_sector_output_iterator}
     \cgalParamDescription{gets one halfedge, with a corner at its target, of each sector whose index is not the one that
-                          rounding gave it: those that `repair_matching` brought to an index that can be meshed, or to
-                          the one of their angle, and those where the index went; with `index_target_map` also those
+                          rounding gave it: those that `repair_matching` brought to their natural index, and those
+                          where the index went; with `index_target_map` also those
                           that were brought to their targets}
     \cgalParamType{a class model of `OutputIterator` that accepts
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
@@ -213,6 +215,15 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDefault{they are not listed}
     \cgalParamExtra{With `repair_matching` there are none in a patch of at least four sectors, unless
                     `index_target_map` asks for them.}
+  \cgalParamNEnd
+  \cgalParamNBegin{unnatural_sector_output_iterator}
+    \cgalParamDescription{gets one halfedge, with a corner at its target, of each sector on constrained edges that does
+                          not have its natural index, and of each other one with an index of \f$ 1/2 \f$ or more}
+    \cgalParamType{a class model of `OutputIterator` that accepts
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`}
+    \cgalParamDefault{they are not listed}
+    \cgalParamExtra{With `repair_matching` there are none after `prepare_for_frame_field()`, unless `index_target_map`
+                    asks for them.}
   \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the energies and the seconds of each stage}
@@ -273,6 +284,8 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
                           get_parameter(np, internal::repaired_sector_output_iterator));
   internal::write_sectors(cut_mesh, [&]() { return internal::unmeshable_sectors_of(surface, field); },
                           get_parameter(np, internal::unmeshable_sector_output_iterator));
+  internal::write_sectors(cut_mesh, [&]() { return internal::unnatural_sectors_of(surface, field); },
+                          get_parameter(np, internal::unnatural_sector_output_iterator));
   internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, rho_map);
   internal::write_on_sectors(cut_mesh, field.index, index_map);
   internal::write_on_dual_edges(cut_mesh, field.matching, get_parameter(np, internal::matching));

@@ -14,7 +14,6 @@
 
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Named_function_parameters.h>
 
@@ -72,6 +71,7 @@ The surface does not change.
 
 \cgalBigO{n} for \f$ n \f$ faces.
 
+\sa `prepare_for_frame_field()`
 \sa `split_overconstrained_faces()`
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -98,22 +98,8 @@ std::size_t split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::param
 
   mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
 
-  // Joins the midpoint at the target of `to_midpoint` to the third vertex of the face.
-  const auto split_face = [&](const halfedge_descriptor to_midpoint)
-  {
-    mesh.mark_unconstrained(CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, tm), tm), tm));
-  };
   for(const halfedge_descriptor h : chords)
-  {
-    const auto midpoint =
-      mesh.traits().construct_midpoint_3_object()(mesh.point(source(h, tm)), mesh.point(target(h, tm)));
-    const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, tm);
-    mesh.set_point(target(to_midpoint, tm), midpoint);
-    mesh.mark_unconstrained(to_midpoint);
-    mesh.mark_unconstrained(h);
-    split_face(to_midpoint);
-    split_face(opposite(h, tm));
-  }
+    mesh.split_edge_with_faces(h);
   return chords.size();
 }
 

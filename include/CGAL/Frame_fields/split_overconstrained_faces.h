@@ -49,7 +49,7 @@ constrained edge, as all other functions of this package require (Section 3.3 of
 degenerate face whose centroid is one of its vertices it takes another point inside.
 
 A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. Only
-this function and `split_chords()` modify a mesh.
+this function, `split_chords()` and `prepare_for_frame_field()`, which calls both, modify a mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -86,6 +86,7 @@ this function and `split_chords()` modify a mesh.
 
 \cgalBigO{n} for \f$ n \f$ faces.
 
+\sa `prepare_for_frame_field()`
 \sa `split_chords()`
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>

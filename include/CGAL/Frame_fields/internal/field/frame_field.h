@@ -153,20 +153,24 @@ inline std::vector<int> repaired_sectors_of(const Frame_field& field)
   return result;
 }
 
-inline std::vector<int> unmeshable_sectors_of(const Cut_surface& surface, const Frame_field& field)
+template <typename Predicate>
+std::vector<int> sectors_that(const Cut_surface& surface, const Predicate& predicate)
 {
   std::vector<int> result;
   for(int s = 0; s < surface.number_of_sectors(); ++s)
-    if(is_unmeshable(surface, field.index, s))
+    if(predicate(s))
       result.push_back(s);
   return result;
 }
 
-// Whether the repair made an unmeshable sector meshable; it also changes others, to where the indices went.
-inline bool was_unmeshable(const Cut_surface& surface, const Frame_field& field, const Repaired_sector& repaired)
+inline std::vector<int> unmeshable_sectors_of(const Cut_surface& surface, const Frame_field& field)
 {
-  return repaired.rounded_index > maximum_meshable_index && surface.is_constrained_sector(repaired.sector)
-      && !is_unmeshable(surface, field.index, repaired.sector);
+  return sectors_that(surface, [&](const int s) { return is_unmeshable(surface, field.index, s); });
+}
+
+inline std::vector<int> unnatural_sectors_of(const Cut_surface& surface, const Frame_field& field)
+{
+  return sectors_that(surface, [&](const int s) { return is_unnatural(surface, field.index, s); });
 }
 
 template <typename StageClock>
@@ -175,19 +179,21 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
 {
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_unmeshable_sectors = unmeshable_sectors_of(surface, field).size();
-  statistics.number_of_sharp_corners = 0;
-  statistics.number_of_unnatural_corners = 0;
+  statistics.number_of_sharp_corners = statistics.number_of_unmeshable_inner_sectors = 0;
+  statistics.number_of_unnatural_sectors = statistics.number_of_unnatural_corners = 0;
   for(int sector = 0; sector < surface.number_of_sectors(); ++sector)
   {
-    if(!is_sharp_corner(surface, sector, options.sharp_corner_bound))
+    const bool is_sharp = is_sharp_corner(surface, sector, options.sharp_corner_bound);
+    statistics.number_of_sharp_corners += is_sharp;
+    if(!is_unnatural(surface, field.index, sector))
       continue;
-    ++statistics.number_of_sharp_corners;
-    if(field.index[sector] != natural_index(surface, sector))
-      ++statistics.number_of_unnatural_corners;
+    ++(surface.is_constrained_sector(sector) ? statistics.number_of_unnatural_sectors
+                                             : statistics.number_of_unmeshable_inner_sectors);
+    statistics.number_of_unnatural_corners += is_sharp;
   }
   statistics.number_of_repaired_sectors = std::count_if(
     field.repaired_sectors.begin(), field.repaired_sectors.end(),
-    [&](const Repaired_sector& repaired) { return was_unmeshable(surface, field, repaired); });
+    [&](const Repaired_sector& repaired) { return surface.is_constrained_sector(repaired.sector); });
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
   statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
   statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);

@@ -31,8 +31,7 @@ namespace internal {
 // d omega at a sharp corner: what gives it the positive quarter index nearest to its angle (eq. (3) of the paper).
 inline double rotation_demand_of_sharp_corner(const double total_angle)
 {
-  const double quarters = (std::max)(1., std::round(2 * total_angle / CGAL_PI));
-  return total_angle - quarters * CGAL_PI / 2;
+  return total_angle - natural_number_of_quads(total_angle) * CGAL_PI / 2;
 }
 
 // Walks over the sectors of one patch ring by ring along the edges of its faces.

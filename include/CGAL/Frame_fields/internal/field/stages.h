@@ -85,7 +85,7 @@ Patch_result compute_indices(const Cut_surface& surface, const std::vector<doubl
   });
 }
 
-// The matching nearest to omega, made meshable if the options ask for it. The sectors whose index this changed are
+// The matching nearest to omega, made natural if the options ask for it. The sectors whose index this changed are
 // added to `repaired_sectors`.
 template <typename ConcurrencyTag>
 Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
@@ -104,8 +104,7 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
     if(indices_result.error_code == OK && has_index_targets(surface, patch))
       repaired[number] = enforce_index_targets(surface, patch, omega, alpha, matching, index);
     else if(indices_result.error_code == OK && options.repair_matching)
-      repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
-                                      index);
+      repaired[number] = repair_patch(surface, patch, omega, alpha, matching, index);
     return indices_result;
   });
   for(const std::vector<Repaired_sector>& sectors : repaired)

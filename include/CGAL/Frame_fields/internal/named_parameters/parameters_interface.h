@@ -29,6 +29,8 @@ CGAL_add_named_parameter(repaired_sector_output_iterator_t, repaired_sector_outp
                          repaired_sector_output_iterator)
 CGAL_add_named_parameter(unmeshable_sector_output_iterator_t, unmeshable_sector_output_iterator,
                          unmeshable_sector_output_iterator)
+CGAL_add_named_parameter(unnatural_sector_output_iterator_t, unnatural_sector_output_iterator,
+                         unnatural_sector_output_iterator)
 CGAL_add_named_parameter(halfedge_rotation_t, halfedge_rotation, rotation_map)
 CGAL_add_named_parameter(statistics_t, statistics, statistics)
 CGAL_add_named_parameter(concurrency_t, concurrency, concurrency_tag)

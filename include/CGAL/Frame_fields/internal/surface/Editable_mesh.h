@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -88,7 +89,26 @@ public:
   void set_point(const vertex_descriptor v, const Point_3& point) const { put(m_points, v, point); }
   Geom_traits traits() const { return m_traits; }
 
+  // Splits an unconstrained edge at its midpoint, and its two triangles with it.
+  void split_edge_with_faces(const halfedge_descriptor h) const
+  {
+    const Point_3 midpoint =
+      m_traits.construct_midpoint_3_object()(point(source(h, m_mesh)), point(target(h, m_mesh)));
+    const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, m_mesh);
+    set_point(target(to_midpoint, m_mesh), midpoint);
+    mark_unconstrained(to_midpoint);
+    mark_unconstrained(h);
+    split_face(to_midpoint);
+    split_face(opposite(h, m_mesh));
+  }
+
 private:
+  // Joins the vertex at the target of `to_midpoint` to the opposite one of a face with four of them.
+  void split_face(const halfedge_descriptor to_midpoint) const
+  {
+    mark_unconstrained(CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, m_mesh), m_mesh), m_mesh));
+  }
+
   template <typename Mesh>
   static auto reserve_in(Mesh& mesh, const std::size_t vertices, const std::size_t edges, const std::size_t faces, int)
     -> decltype(reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces))

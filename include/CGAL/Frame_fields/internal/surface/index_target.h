@@ -25,24 +25,40 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The largest 4 I that a quadrangle mesh can have at a sector on a constrained edge.
+// The largest 4 I that a quadrangle mesh can have: one quadrangle at a sector on a constrained edge, three inside.
 constexpr int maximum_meshable_index = 1;
 
 // The largest |4 I| that may be asked for: indices move by 1/4, and more turns are no use.
 constexpr int largest_index_target = 1000;
 
+// Angles that differ by less count as equal where a number of quadrangles depends on them, in radians: coordinates of
+// 7 digits give edges of a thousandth of the model their directions as exactly. Octagons and chamfers of 45 degrees are
+// common, and all their corners must fall to the same side.
+constexpr double angle_tolerance = 1e-3;
+
 inline bool is_sharp_corner(const Cut_surface& surface, const int sector, const double bound)
 {
-  return surface.total_angle[sector] < bound && surface.is_constrained_sector(sector);
+  return surface.total_angle[sector] < bound - angle_tolerance && surface.is_constrained_sector(sector);
 }
 
-// 4 I nearest to what the angle of a sector asks for: 0 inside, 1 at the corner of a square, 0 on a straight border.
+// The number of quadrangles at a sector on constrained edges whose angles are nearest to right ones, at least one. An
+// angle halfway between two numbers gets the larger one: 135 degrees are twice 67.5, which is nearer to 90 than 135 is.
+inline int natural_number_of_quads(const double total_angle)
+{
+  return (std::max)(1, static_cast<int>(std::floor(2 * (total_angle + angle_tolerance) / CGAL_PI + 0.5)));
+}
+
+// 4 I of that number on constrained edges; 0 inside.
 inline int natural_index(const Cut_surface& surface, const int sector)
 {
-  if(!surface.is_constrained_sector(sector))
-    return 0;
-  const double quarters = std::round(2 * surface.total_angle[sector] / CGAL_PI);
-  return (std::min)(maximum_meshable_index, 2 - static_cast<int>(quarters));
+  return surface.is_constrained_sector(sector) ? 2 - natural_number_of_quads(surface.total_angle[sector]) : 0;
+}
+
+// A sector on constrained edges that does not have its natural index, or one inside with less than three quadrangles.
+inline bool is_unnatural(const Cut_surface& surface, const std::vector<int>& index, const int sector)
+{
+  return surface.is_constrained_sector(sector) ? index[sector] != natural_index(surface, sector)
+                                               : index[sector] > maximum_meshable_index;
 }
 
 // 4 I that the caller gave for a sector, or the natural one.

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_PREPARE_FOR_FRAME_FIELD_H
+#define CGAL_FRAME_FIELDS_PREPARE_FOR_FRAME_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/room_for_indices.h>
+#include <CGAL/Frame_fields/split_chords.h>
+#include <CGAL/Frame_fields/split_overconstrained_faces.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <vector>
+
+/// \file prepare_for_frame_field.h
+
+namespace CGAL {
+namespace Frame_fields {
+
+/*!
+\ingroup PkgFrame_fieldsRef
+
+splits faces and edges until a mesh has all that a field for quadrangles needs: no face has more than one constrained
+edge, every face has a vertex that is on no constrained edge, and every patch has enough of them for the singularities
+that `cad_frame_field()` must move inside so that every sector on constrained edges gets its natural index.
+
+It calls `split_overconstrained_faces()` and `split_chords()`, and then splits the longest unconstrained edges of each
+patch that still lacks vertices inside at their midpoints, with their triangles. The surface does not change. A mesh
+that needs nothing stays as it is.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+    \cgalParamExtra{If the map is a model of `ReadWritePropertyMap`, the new edges are put to `false`; otherwise it must
+                    return `false` for them.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or
+        `ERROR_ZERO_LENGTH_EDGE`. On an error of the mesh as it was given, \c tm is unchanged. Where an edge is so short
+        that its midpoint is one of its ends, the split mesh has an edge of length zero, and this is the error.
+
+\exception std::bad_alloc if memory is exhausted
+
+\cgalBigO{n} for \f$ n \f$ faces; patches that lack vertices sort their edges.
+
+\sa `cad_frame_field()`
+\sa `split_overconstrained_faces()`
+\sa `split_chords()`
+*/
+template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  typedef internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> Cut_mesh;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+
+  internal::Options options = internal::options_from(np);
+  options.measures_lengths = true;
+  const Result result = Cut_mesh(tm, np).build(options, true);
+  if(!result)
+    return result;
+  split_overconstrained_faces(tm, np);
+  split_chords(tm, np);
+
+  // One round is enough unless a patch has fewer edges than it needs vertices, or a new rounding error changes what is
+  // natural. Each round doubles the edges of a patch at least, and no patch needs more than a few for each sector.
+  const int maximum_number_of_rounds = 32;
+  for(int round = 0; round < maximum_number_of_rounds; ++round)
+  {
+    std::vector<halfedge_descriptor> edges;
+    {
+      Cut_mesh cut_mesh(tm, np);
+      const Result split_result = cut_mesh.build(options);
+      if(!split_result)
+        return split_result;
+      for(const int e : internal::edges_that_make_room(cut_mesh.surface()))
+        edges.push_back(cut_mesh.halfedge_of(cut_mesh.surface().dual_edges[e].halfedge));
+    }
+    if(edges.empty())
+      break;
+    const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
+    mesh.reserve_for(edges.size(), 3 * edges.size(), 2 * edges.size());
+    for(const halfedge_descriptor h : edges)
+      mesh.split_edge_with_faces(h);
+  }
+  return {};
+}
+
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_PREPARE_FOR_FRAME_FIELD_H
