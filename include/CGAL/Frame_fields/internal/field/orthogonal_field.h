@@ -14,10 +14,11 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/field/falling_values.h>
 #include <CGAL/Frame_fields/internal/field/vanishing_values.h>
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
 #include <CGAL/Frame_fields/internal/linear/smallest_eigenvector.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 
@@ -145,8 +146,21 @@ private:
   bool m_is_anchored = false;
 };
 
-// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of
-// unit norm.
+// Finds the values of the unknowns and their levels, which tell values below the range of `double`. A patch in which no
+// face asks for a direction gets the smoothest field of unit norm.
+template <typename Solver>
+bool solve_orthogonal_field(Solver& solver, const Orthogonal_field_system& system, std::vector<Complex>& z,
+                            std::vector<int>& level)
+{
+  const Hermitian_matrix<Complex> matrix = system.matrix();
+  if(!system.is_anchored())
+    return smallest_eigenvector(solver, matrix, system.start_vector(), z);
+  const std::vector<Complex> right_hand_side = system.right_hand_side();
+  return factor_and_solve(solver, matrix, right_hand_side, z)
+      && Falling_values<Solver>(solver, matrix, right_hand_side, z).find(level);
+}
+
+// Writes alpha on the faces of the patch.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const std::vector<int>& face_order,
@@ -155,13 +169,11 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
   const Orthogonal_field_system system(surface, patch, omega, face_order);
   auto solver = solver_traits.complex_solver_object();
   std::vector<Complex> z;
-  const bool is_solved = system.is_anchored()
-                       ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
-                       : smallest_eigenvector(solver, system.matrix(), system.start_vector(), z);
-  if(!is_solved)
+  std::vector<int> level;
+  if(!solve_orthogonal_field(solver, system, z, level))
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
-  Field_without_zeros<Orthogonal_field_system>(surface, patch, system, z).replace_vanishing_values();
+  Field_without_zeros<Orthogonal_field_system>(surface, patch, system, level, z).replace_vanishing_values();
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
     alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)
                                      : std::arg(z[system.unknown(f)]) / 4;
