@@ -39,6 +39,15 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
+// Whether any face of a patch is aligned or guided; otherwise its field is determined only up to a rotation and a scale.
+inline bool asks_for_direction(const Cut_surface& surface, const Patch& patch)
+{
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
+      return true;
+  return false;
+}
+
 // The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the faces of one patch that are not aligned
 // (eq. (8) of the paper), plus the squared differences from guiding directions.
 class Orthogonal_field_system
@@ -48,6 +57,7 @@ public:
   Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
                           const std::vector<int>& face_order)
     : m_surface(surface), m_patch(patch), m_unknown(patch.faces.size(), -1)
+    , m_is_anchored(asks_for_direction(surface, patch))
   {
     m_transport.reserve(patch.dual_edges.size());
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
@@ -57,14 +67,11 @@ public:
       const int f = face_order[place];
       if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
-      if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
-        m_is_anchored = true;
     }
   }
 
   int size() const { return m_size; }
 
-  // Whether any face asks for a direction; otherwise the field is determined only up to a rotation and a scale.
   bool is_anchored() const { return m_is_anchored; }
 
   // The number of the unknown of a face, -1 if the face is aligned.
@@ -143,7 +150,7 @@ private:
   std::vector<Complex> m_transport; // per dual edge of the patch
   std::vector<int> m_unknown;       // per face of the patch
   int m_size = 0;
-  bool m_is_anchored = false;
+  bool m_is_anchored;
 };
 
 // Finds the values of the unknowns and their levels, which tell values below the range of `double`. A patch in which no
