@@ -22,6 +22,7 @@
 #include <iterator>
 #include <map>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 
@@ -213,6 +214,19 @@ Model open_cylinder()
   return grid(16, 8, true, false, [](const double u, const double v)
   {
     return Point(std::cos(turn * u), std::sin(turn * u), 3 * v);
+  });
+}
+
+Model rough_tube(const int number_of_rings)
+{
+  std::mt19937 generator;
+  const auto noise = [&generator] { return 0.3 * (generator() / 2147483648. - 1); };
+  return grid(8, number_of_rings, true, false, [&](const double u, const double v)
+  {
+    const double x = 1.3 + noise(), y = 1.3 + noise(), z = noise();
+    if(v == 0 || v == 1)
+      return Point(1.3 * std::cos(360 * degree * u), 1.3 * std::sin(360 * degree * u), v * number_of_rings);
+    return Point(x * std::cos(360 * degree * u), y * std::sin(360 * degree * u), v * number_of_rings + z);
   });
 }
 

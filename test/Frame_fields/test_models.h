@@ -52,6 +52,8 @@ Model grid(int m, int n, bool is_closed_in_u, bool is_closed_in_v,
 Model square(int n);
 Model annulus(int m, int n);
 Model open_cylinder();
+// Eight faces around, its points moved at random but those of the border: a smooth field is lost after some rings.
+Model rough_tube(int number_of_rings);
 Model torus();
 Model convex_hull(const std::vector<Point>& points);
 Model sphere();

@@ -4,6 +4,14 @@
 
 #include <CGAL/Random.h>
 
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
 namespace {
 
 using namespace test;
@@ -83,6 +91,72 @@ TEST_P(Orthogonal_field, has_the_matching_that_is_nearest_to_the_prescribed_rota
     const Field field = frame_field(cad_mesh, parameters::relax_orthogonality(false).repair_matching(false));
     EXPECT_LE(largest_rotation_error(cut, field, field.omega), CGAL_PI / 4 + 1e-12);
   });
+}
+
+// The values z of the orthogonal field, solved for in a wider range of exponents than that of `double`.
+std::vector<std::complex<long double> > values_in_wide_range(const Cut& cut, const Field& field)
+{
+  typedef std::complex<long double> Value;
+  const auto unit = [](const double angle) { return Value(std::cos(angle), std::sin(angle)); };
+  const int size = cut.number_of_faces();
+  std::vector<Value> aligned(size, 0);
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    if(cut.is_constrained(h))
+      aligned[face_of(h)] = unit(4 * cut.phi[h]);
+  std::vector<Eigen::Triplet<Value> > entries;
+  Eigen::Matrix<Value, Eigen::Dynamic, 1> right_hand_side(size), z(size);
+  for(int f = 0; f < size; ++f)
+  {
+    right_hand_side[f] = aligned[f];
+    entries.emplace_back(f, f, aligned[f] != Value(0) ? 1 : 3);
+  }
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+  {
+    const int i = face_of(h), j = face_of(cut.opposite[h]);
+    if(cut.is_constrained(h) || aligned[i] != Value(0))
+      continue;
+    const Value transport = unit(4 * (cut.transport[h] - field.omega[h]));
+    if(aligned[j] != Value(0))
+      right_hand_side[i] += transport * aligned[j];
+    else
+      entries.emplace_back(i, j, -transport);
+  }
+  Eigen::SparseMatrix<Value> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  z = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Value> >(matrix).solve(right_hand_side);
+  return std::vector<Value>(z.data(), z.data() + size);
+}
+
+// On a rough surface |z| falls exponentially with the distance from the constraints.
+TEST(Orthogonal_field_of_a_long_tube, is_that_of_unbounded_exponents)
+{
+  if(std::numeric_limits<long double>::min_exponent10 > -4000)
+    GTEST_SKIP() << "long double has no wider range than double";
+  const Cad_mesh<Surface_mesh> cad_mesh(rough_tube(5000));
+  const Cut cut = cad_mesh.cut();
+  const Field field = orthogonal_field(cad_mesh);
+  const std::vector<std::complex<long double> > z = values_in_wide_range(cut, field);
+  long double smallest = 1, largest_error = 0;
+  for(int f = 0; f < cut.number_of_faces(); ++f)
+  {
+    smallest = (std::min)(smallest, std::abs(z[f]));
+    largest_error = (std::max)(largest_error,
+                               std::abs(std::remainder(std::arg(z[f]) / 4 - field.alpha[f], CGAL_PI / 2)));
+  }
+  EXPECT_LT(smallest, 1e-500L); // so this is about values that no double can hold
+  EXPECT_LT(largest_error, 1e-9L);
+}
+
+TEST(Orthogonal_field_of_a_long_tube, has_singularities_in_proportion_to_its_length)
+{
+  const auto number_of_singularities = [](const int number_of_rings)
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(rough_tube(number_of_rings));
+    const std::vector<int> index = index_of_sectors(cad_mesh.cut(), orthogonal_field(cad_mesh).index);
+    return index.size() - std::count(index.begin(), index.end(), 0);
+  };
+  const double expected = 10. * number_of_singularities(1000); // where no value leaves the range of double
+  EXPECT_NEAR(expected, number_of_singularities(10000), 4 * std::sqrt(expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, Orthogonal_field, testing::ValuesIn(generated_models()), Model_name());

@@ -7,6 +7,8 @@
 #include <CGAL/tags.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <complex>
 #include <limits>
@@ -54,6 +56,52 @@ struct Dense_solver_traits
 
   Real_solver real_solver_object() const { return Real_solver(); }
   Complex_solver complex_solver_object() const { return Complex_solver(); }
+};
+
+// Conjugate gradients that stop where the residual is `tolerance` times the right-hand side, as iterative solvers do.
+template <typename Scalar_>
+class Iterative_solver
+{
+public:
+  typedef Scalar_ Scalar;
+
+  explicit Iterative_solver(const double tolerance) : m_tolerance(tolerance) {}
+
+  bool factor(const CGAL::Frame_fields::Hermitian_matrix<Scalar>& matrix)
+  {
+    m_matrix = Eigen::Map<const Matrix>(matrix.size(), matrix.size(), static_cast<int>(matrix.row.size()),
+                                        matrix.column_begin.data(), matrix.row.data(), matrix.value.data());
+    return true;
+  }
+
+  bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
+  {
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower> solver(m_matrix);
+    solver.setTolerance(m_tolerance);
+    solver.setMaxIterations(20000);
+    const Vector x = solver.solve(Eigen::Map<const Vector>(right_hand_side.data(), right_hand_side.size()));
+    solution.assign(x.data(), x.data() + x.size());
+    return solver.info() == Eigen::Success;
+  }
+
+private:
+  typedef Eigen::SparseMatrix<Scalar> Matrix;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+
+  double m_tolerance;
+  Matrix m_matrix;
+};
+
+struct Iterative_solver_traits
+{
+  typedef Iterative_solver<double> Real_solver;
+  typedef Iterative_solver<std::complex<double> > Complex_solver;
+  typedef CGAL::Tag_true Has_independent_solvers;
+
+  double tolerance = 1e-9;
+
+  Real_solver real_solver_object() const { return Real_solver(tolerance); }
+  Complex_solver complex_solver_object() const { return Complex_solver(tolerance); }
 };
 
 enum Solver_behavior { FAILS_TO_FACTOR, FAILS_TO_SOLVE, RETURNS_NAN, RUNS_OUT_OF_MEMORY };

@@ -14,10 +14,11 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/field/falling_values.h>
 #include <CGAL/Frame_fields/internal/field/vanishing_values.h>
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
 #include <CGAL/Frame_fields/internal/linear/smallest_eigenvector.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 
@@ -38,6 +39,15 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
+// Whether any face of a patch is aligned or guided; otherwise its field is determined only up to a rotation and a scale.
+inline bool asks_for_direction(const Cut_surface& surface, const Patch& patch)
+{
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
+      return true;
+  return false;
+}
+
 // The minimization of sum w |z_i - z_j exp(4i (c_ij - omega_ij))|^2 over the faces of one patch that are not aligned
 // (eq. (8) of the paper), plus the squared differences from guiding directions.
 class Orthogonal_field_system
@@ -47,6 +57,7 @@ public:
   Orthogonal_field_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
                           const std::vector<int>& face_order)
     : m_surface(surface), m_patch(patch), m_unknown(patch.faces.size(), -1)
+    , m_is_anchored(asks_for_direction(surface, patch))
   {
     m_transport.reserve(patch.dual_edges.size());
     for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
@@ -56,14 +67,11 @@ public:
       const int f = face_order[place];
       if(!surface.is_aligned(f))
         m_unknown[f - patch.faces.begin_index] = m_size++;
-      if(surface.is_aligned(f) || guide_weight(surface, f) > smallest_effective_weight)
-        m_is_anchored = true;
     }
   }
 
   int size() const { return m_size; }
 
-  // Whether any face asks for a direction; otherwise the field is determined only up to a rotation and a scale.
   bool is_anchored() const { return m_is_anchored; }
 
   // The number of the unknown of a face, -1 if the face is aligned.
@@ -142,11 +150,24 @@ private:
   std::vector<Complex> m_transport; // per dual edge of the patch
   std::vector<int> m_unknown;       // per face of the patch
   int m_size = 0;
-  bool m_is_anchored = false;
+  bool m_is_anchored;
 };
 
-// Writes alpha on the faces of the patch. A patch in which no face asks for a direction gets the smoothest field of
-// unit norm.
+// Finds the values of the unknowns and their levels, which tell values below the range of `double`. A patch in which no
+// face asks for a direction gets the smoothest field of unit norm.
+template <typename Solver>
+bool solve_orthogonal_field(Solver& solver, const Orthogonal_field_system& system, std::vector<Complex>& z,
+                            std::vector<int>& level)
+{
+  const Hermitian_matrix<Complex> matrix = system.matrix();
+  if(!system.is_anchored())
+    return smallest_eigenvector(solver, matrix, system.start_vector(), z);
+  const std::vector<Complex> right_hand_side = system.right_hand_side();
+  return factor_and_solve(solver, matrix, right_hand_side, z)
+      && Falling_values<Solver>(solver, matrix, right_hand_side, z).find(level);
+}
+
+// Writes alpha on the faces of the patch.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const std::vector<int>& face_order,
@@ -155,13 +176,11 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
   const Orthogonal_field_system system(surface, patch, omega, face_order);
   auto solver = solver_traits.complex_solver_object();
   std::vector<Complex> z;
-  const bool is_solved = system.is_anchored()
-                       ? factor_and_solve(solver, system.matrix(), system.right_hand_side(), z)
-                       : smallest_eigenvector(solver, system.matrix(), system.start_vector(), z);
-  if(!is_solved)
+  std::vector<int> level;
+  if(!solve_orthogonal_field(solver, system, z, level))
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
-  Field_without_zeros<Orthogonal_field_system>(surface, patch, system, z).replace_vanishing_values();
+  Field_without_zeros<Orthogonal_field_system>(surface, patch, system, level, z).replace_vanishing_values();
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
     alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)
                                      : std::arg(z[system.unknown(f)]) / 4;

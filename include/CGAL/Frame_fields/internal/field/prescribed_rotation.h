@@ -15,9 +15,9 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
 #include <CGAL/Frame_fields/internal/linear/elimination_order.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>

@@ -15,8 +15,8 @@
 #include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>

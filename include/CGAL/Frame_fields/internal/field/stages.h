@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/cancel_pairs.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
+#include <CGAL/Frame_fields/internal/surface/index_target.h>
 
 #include <algorithm>
 #include <numeric>
@@ -68,9 +70,21 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
                                       std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
-  return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
+  std::vector<int> matching, index; // for patches that ask for no direction
+  if(!std::all_of(surface.patches.begin(), surface.patches.end(),
+                  [&](const Patch& patch) { return asks_for_direction(surface, patch); }))
   {
-    return orthogonal_field_in_patch(surface, surface.patches[patch], omega, face_order, solver_traits, alpha);
+    matching.resize(surface.number_of_dual_edges());
+    index.resize(surface.number_of_sectors());
+  }
+  return for_each_patch<ConcurrencyTag>(surface, [&](const int number)
+  {
+    const Patch& patch = surface.patches[number];
+    const Patch_result result = orthogonal_field_in_patch(surface, patch, omega, face_order, solver_traits, alpha);
+    if(result.error_code != OK || asks_for_direction(surface, patch) || has_index_targets(surface, patch))
+      return result;
+    return Pair_cancellation<SolverTraits>(surface, patch, omega, matching, index, alpha)
+      .run(face_order, solver_traits);
   });
 }
 

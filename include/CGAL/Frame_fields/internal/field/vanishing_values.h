@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_VANISHING_VALUES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_VANISHING_VALUES_H
 
+#include <CGAL/Frame_fields/internal/field/falling_values.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
@@ -56,10 +57,10 @@ template <typename Field_system>
 class Field_without_zeros
 {
 public:
-  // `z` are the values of the unknowns of `system`.
+  // `z` are the values of the unknowns of `system`, `level` is as in `Falling_values`.
   Field_without_zeros(const Cut_surface& surface, const Patch& patch, const Field_system& system,
-                      std::vector<Complex>& z)
-    : m_surface(surface), m_patch(patch), m_system(system), m_z(z)
+                      const std::vector<int>& level, std::vector<Complex>& z)
+    : m_surface(surface), m_patch(patch), m_system(system), m_level(level), m_z(z)
   {}
 
   void replace_vanishing_values()
@@ -87,9 +88,15 @@ private:
     return smallest <= largest_vanishing_ratio * largest_vanishing_ratio * largest;
   }
 
-  double norm_in(const int face) const
+  int level_in(const int face) const
   {
-    return m_system.unknown(face) < 0 ? 1 : std::abs(m_z[m_system.unknown(face)]);
+    return m_level.empty() || m_system.unknown(face) < 0 ? 0 : m_level[m_system.unknown(face)];
+  }
+
+  double norm_in(const int face, const int level) const
+  {
+    const Complex value = m_system.unknown(face) < 0 ? Complex(1) : m_z[m_system.unknown(face)];
+    return norm_at_level(value, level_in(face), level);
   }
 
   void mark_vanishing_values()
@@ -97,22 +104,25 @@ private:
     std::vector<double> weight(m_patch.faces.size()), norm(m_patch.faces.size());
     const auto add = [&](const int face, const double w, const double n)
     {
+      if(w == 0) // n may be infinite
+        return;
       weight[face - m_patch.faces.begin_index] += w;
       norm[face - m_patch.faces.begin_index] += w * n;
     };
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
     {
       const auto [halfedge, opposite] = m_surface.dual_edges[e];
-      add(face_of(halfedge), m_surface.weight[e], norm_in(face_of(opposite)));
-      add(face_of(opposite), m_surface.weight[e], norm_in(face_of(halfedge)));
+      const int i = face_of(halfedge), j = face_of(opposite);
+      add(i, m_surface.weight[e], norm_in(j, level_in(i)));
+      add(j, m_surface.weight[e], norm_in(i, level_in(j)));
     }
     m_is_vanishing.assign(m_patch.faces.size(), false);
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
     {
       const int i = f - m_patch.faces.begin_index;
-      add(f, guide_weight(m_surface, f), 1);
+      add(f, guide_weight(m_surface, f), norm_at_level(1, 0, level_in(f)));
       m_is_vanishing[i] = m_system.unknown(f) >= 0
-                          && norm_in(f) * weight[i] <= largest_vanishing_ratio * norm[i];
+                          && norm_in(f, level_in(f)) * weight[i] <= largest_vanishing_ratio * norm[i];
     }
   }
 
@@ -158,6 +168,7 @@ private:
   const Cut_surface& m_surface;
   const Patch& m_patch;
   const Field_system& m_system;
+  const std::vector<int>& m_level;
   std::vector<Complex>& m_z;
   std::vector<bool> m_is_vanishing; // per face of the patch
   std::vector<Vanishing_value_link> m_links;

@@ -13,8 +13,8 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_LINEAR_SMALLEST_EIGENVECTOR_H
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 
 #include <cmath>
 #include <complex>
@@ -78,7 +78,7 @@ bool smallest_eigenvector(Solver& solver, Hermitian_matrix<std::complex<double> 
   for(int step = 0; step < maximum_number_of_steps; ++step)
   {
     std::vector<std::complex<double> > y;
-    if(!checked_solve(solver, x, y))
+    if(!accurate_solve(solver, matrix, x, y))
       return false;
     // matrix * y = x: with y scaled to unit length, the eigenvalue and the residual come without a product
     const double length = norm(y);

@@ -12,8 +12,6 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_LINEAR_SOLVE_H
 #define CGAL_FRAME_FIELDS_INTERNAL_LINEAR_SOLVE_H
 
-#include <CGAL/Frame_fields/Hermitian_matrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -32,18 +30,6 @@ bool checked_solve(Solver& solver, const std::vector<Scalar>& right_hand_side, s
 {
   return solver.solve(right_hand_side, solution)
       && std::all_of(solution.begin(), solution.end(), [](const Scalar& x) { return is_finite(x); });
-}
-
-template <typename Solver, typename Scalar>
-bool factor_and_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix,
-                      const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
-{
-  if(matrix.size() == 0)
-  {
-    solution.clear();
-    return true;
-  }
-  return solver.factor(matrix) && checked_solve(solver, right_hand_side, solution);
 }
 
 } // namespace internal

@@ -76,6 +76,13 @@ public:
     }
   }
 
+  // Moves what a sector has above 0 to sectors below 0, as far as there are any.
+  void cancel_with_negative(const int sector)
+  {
+    const auto is_negative = [this](const int s) { return m_index[s] < 0; };
+    while(m_index[sector] > 0 && move_index(sector, OUT, is_negative)) {}
+  }
+
 private:
   typedef Convex_flow<Sector_graph> Flow;
 

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_LINEAR_ACCURATE_SOLVE_H
+#define CGAL_FRAME_FIELDS_INTERNAL_LINEAR_ACCURATE_SOLVE_H
+
+#include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/assemble.h>
+#include <CGAL/Frame_fields/internal/linear/solve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Every row of a solved system holds to this fraction of the terms in it. Direct solvers leave about 1e-15.
+constexpr double largest_row_error = 1e-12;
+
+// Terms below this in systems of complex values have lost digits to the end of the range of `double`.
+constexpr double smallest_complex_term = 1e-290;
+
+// An absolute value within a factor of the square root of 2, without a root.
+inline double magnitude(const double x) { return std::abs(x); }
+inline double magnitude(const std::complex<double>& x) { return std::abs(x.real()) + std::abs(x.imag()); }
+
+// What a row of a system with unknowns in radians, or with values of any size, may ignore: terms of this size.
+inline double negligible_term(const double) { return 1; }
+inline double negligible_term(const std::complex<double>&) { return smallest_complex_term; }
+
+// The residuals of the rows that do not hold, 0 for the rows that do.
+template <typename Scalar>
+struct Row_errors
+{
+  Row_errors(const Hermitian_matrix<Scalar>& matrix, const std::vector<Scalar>& right_hand_side,
+             const std::vector<Scalar>& x)
+    : residual(right_hand_side)
+  {
+    std::vector<double> terms(x.size());
+    for(std::size_t i = 0; i < x.size(); ++i)
+      terms[i] = magnitude(right_hand_side[i]);
+    for(int j = 0; j < matrix.size(); ++j)
+    {
+      const int diagonal = matrix.column_begin[j];
+      residual[j] -= matrix.value[diagonal] * x[j];
+      terms[j] += magnitude(matrix.value[diagonal]) * (magnitude(x[j]) + negligible_term(Scalar()));
+      for(int k = diagonal + 1; k < matrix.column_begin[j + 1]; ++k)
+      {
+        const int i = matrix.row[k];
+        const double size = magnitude(matrix.value[k]);
+        residual[i] -= matrix.value[k] * x[j];
+        residual[j] -= conjugate(matrix.value[k]) * x[i];
+        terms[i] += size * magnitude(x[j]);
+        terms[j] += size * magnitude(x[i]);
+      }
+    }
+    for(std::size_t i = 0; i < x.size(); ++i)
+    {
+      if(magnitude(residual[i]) <= largest_row_error * terms[i])
+        residual[i] = 0;
+      else
+        largest = (std::max)(largest, magnitude(residual[i]));
+    }
+  }
+
+  std::vector<Scalar> residual;
+  double largest = 0;
+};
+
+// Solves a system whose matrix is factored such that every row holds in terms of what stands in it: the solution of a
+// connected system may fall by many powers of ten from one place to the next, and its small values are as good as the
+// large ones. A direct solver does that in one go. What an iterative one leaves is small against the largest
+// values only; it is asked again for the residuals of the rows that do not hold. Rows that do are not touched, or
+// their rounding errors would drown the others. Returns `false` if that takes too many steps.
+template <typename Solver, typename Scalar>
+bool accurate_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix, const std::vector<Scalar>& right_hand_side,
+                    std::vector<Scalar>& solution)
+{
+  const int maximum_number_of_steps = 100; // 50 steps of 6 digits go through the range of `double`
+  if(!checked_solve(solver, right_hand_side, solution))
+    return false;
+  for(int step = 0; step < maximum_number_of_steps; ++step)
+  {
+    Row_errors<Scalar> errors(matrix, right_hand_side, solution);
+    if(!(errors.largest > 0))
+      return true;
+    for(Scalar& r : errors.residual)
+      r /= errors.largest; // whose square may be out of range
+    std::vector<Scalar> correction;
+    if(!checked_solve(solver, errors.residual, correction))
+      return false;
+    for(std::size_t i = 0; i < solution.size(); ++i)
+      solution[i] += errors.largest * correction[i];
+  }
+  return false;
+}
+
+template <typename Solver, typename Scalar>
+bool factor_and_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix,
+                      const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
+{
+  if(matrix.size() == 0)
+  {
+    solution.clear();
+    return true;
+  }
+  return solver.factor(matrix) && accurate_solve(solver, matrix, right_hand_side, solution);
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_LINEAR_ACCURATE_SOLVE_H
