@@ -38,4 +38,5 @@ CGAL_add_named_parameter(maximum_streamline_length_t, maximum_streamline_length,
 CGAL_add_named_parameter(strong_angle_t, strong_angle, strong_angle)
 CGAL_add_named_parameter(weak_angle_t, weak_angle, weak_angle)
 CGAL_add_named_parameter(minimum_chain_length_t, minimum_chain_length, minimum_chain_length)
+CGAL_add_named_parameter(coordinate_error_t, coordinate_error, coordinate_error)
 CGAL_add_named_parameter(close_gaps_t, close_gaps, close_gaps)
