@@ -387,7 +387,8 @@ TEST_P(Feature_detection_on_models, with_two_angles_takes_what_is_connected_with
   const Cad_mesh<Surface_mesh> cad_mesh(GetParam().make(), false);
   const Surface_mesh& mesh = cad_mesh.mesh;
   const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
-  ASSERT_TRUE(FF::detect_feature_edges(mesh, is_feature, parameters::strong_angle(40.01).weak_angle(20.01).coordinate_error(0)));
+  ASSERT_TRUE(FF::detect_feature_edges(
+    mesh, is_feature, parameters::strong_angle(40.01).weak_angle(20.01).coordinate_error(0)));
 
   std::map<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index> parent; // of a forest of connected vertices
   const auto root = [&](Surface_mesh::Vertex_index v)
