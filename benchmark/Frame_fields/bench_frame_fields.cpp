@@ -17,9 +17,11 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -32,7 +34,7 @@ const int refinements_for_one_iteration = 2, refinements_for_one_repetition = 3;
 // A model with what the stages take from the ones before.
 struct Staged_model : Benchmark_model
 {
-  Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha;
+  Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha, zero;
   Mesh::Property_map<Mesh::Halfedge_index, int> matching;
   Mesh::Property_map<Mesh::Halfedge_index, double> omega;
   bool has_orthogonal_field = false;
@@ -40,6 +42,7 @@ struct Staged_model : Benchmark_model
   explicit Staged_model(const Featured_soup& soup) : Benchmark_model(soup)
   {
     orthogonal_alpha = mesh.add_property_map<Mesh::Face_index, double>("f:orthogonal_alpha").first;
+    zero = mesh.add_property_map<Mesh::Face_index, double>("f:zero", 0.).first;
     matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
     omega = mesh.add_property_map<Mesh::Halfedge_index, double>("h:omega").first;
   }
@@ -47,10 +50,10 @@ struct Staged_model : Benchmark_model
   void provide_orthogonal_field()
   {
     if(!has_orthogonal_field)
-      Frame_fields::cad_frame_field(mesh, orthogonal_alpha, rho, index,
-                                    params::edge_is_constrained_map(is_feature).relax_orthogonality(false)
-                                      .matching_map(matching).prescribed_rotation_map(omega));
-    has_orthogonal_field = true;
+      has_orthogonal_field = bool(Frame_fields::cad_frame_field(
+        mesh, orthogonal_alpha, rho, index,
+        params::edge_is_constrained_map(is_feature).relax_orthogonality(false).matching_map(matching)
+          .prescribed_rotation_map(omega)));
   }
 };
 
@@ -147,6 +150,34 @@ struct Relax_frame_field
   }
 };
 
+// Beside the pipeline: places of singularities, and streamlines at the default spacing.
+struct Singularities
+{
+  static constexpr const char* name = "singularities";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
+  {
+    std::vector<Frame_fields::Singularity<Mesh::Halfedge_index> > found;
+    return Frame_fields::singularities(m.mesh, m.index, std::back_inserter(found), np);
+  }
+};
+
+struct Trace_streamlines
+{
+  static constexpr const char* name = "trace_streamlines";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
+  {
+    std::vector<Frame_fields::Streamline<Mesh::Point, Mesh::Face_index> > lines;
+    return Frame_fields::trace_streamlines(m.mesh, m.orthogonal_alpha, m.zero, m.matching, std::back_inserter(lines),
+                                           np);
+  }
+};
+
 // Reports the faces a second, and the part of the processor time that is not the solvers'.
 template <typename ConcurrencyTag, typename SolverTraits, typename Compute>
 void measure(benchmark::State& state, Staged_model& m, const Compute& compute)
@@ -233,6 +264,8 @@ void add_benchmarks(const Shape& shape, const int number_of_refinements)
       add(Orthogonal_frame_field());
       add(Singularity_indices());
       add(Relax_frame_field());
+      add(Singularities());
+      add(Trace_streamlines());
     }
   });
 }

@@ -42,7 +42,8 @@ int main(int argc, char* argv[])
   }
 
   std::vector<FF::Singularity<Mesh::Halfedge_index> > singularities;
-  FF::singularities(mesh, index, std::back_inserter(singularities));
+  if(!FF::singularities(mesh, index, std::back_inserter(singularities)))
+    return EXIT_FAILURE;
   for(const auto& singularity : singularities)
     std::cout << "index " << singularity.index << "/4 at " << mesh.point(mesh.target(singularity.halfedge))
               << std::endl;

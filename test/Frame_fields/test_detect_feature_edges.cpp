@@ -246,6 +246,87 @@ TYPED_TEST(Feature_detection, sees_a_crease_through_a_face_without_area)
   EXPECT_EQ((Segments{ segment(a, middle), segment(middle, b) }), detected(cad_mesh, parameters::strong_angle(40)));
 }
 
+// A plate of size 100 and thickness 5 with a hole of many facets, from whose rims needles run to the corners; turned,
+// so that its planes are not along the axes, shifted, and rounded as in a file of `float`.
+Model rounded_plate_with_hole(const double radius, const int number_of_facets, const double shift)
+{
+  Model model;
+  const auto add = [&](const double x, const double y, const double z)
+  {
+    const auto rounded = [shift](const double u) { return static_cast<double>(static_cast<float>(u + shift)); };
+    model.points.push_back(Point(rounded((2 * x - 2 * y + z) / 3), rounded((x + 2 * y + 2 * z) / 3),
+                                 rounded((-2 * x - y + 2 * z) / 3)));
+  };
+  const int n = number_of_facets, layer = 4 + n;
+  for(const double z : { 0., 5. })
+  {
+    for(int k = 0; k < 4; ++k)
+      add(k == 0 || k == 3 ? 50 : -50, k < 2 ? 50 : -50, z);
+    for(int k = 0; k < n; ++k)
+      add(radius * std::cos(2 * CGAL_PI * k / n), radius * std::sin(2 * CGAL_PI * k / n), z);
+  }
+  const auto rim = [&](const int k) { return static_cast<std::size_t>(4 + k % n); };
+  const auto corner = [](const int k) { return static_cast<std::size_t>(k % 4); };
+  const auto add_both = [&](const std::size_t a, const std::size_t b, const std::size_t c)
+  {
+    model.triangles.push_back({ { layer + a, layer + b, layer + c } });
+    model.triangles.push_back({ { c, b, a } });
+  };
+  const auto add_wall = [&](const std::size_t a, const std::size_t b)
+  {
+    model.triangles.push_back({ { a, b, layer + b } });
+    model.triangles.push_back({ { a, layer + b, layer + a } });
+  };
+  for(int k = 0; k < 4; ++k)
+  {
+    add_both(corner(k), corner(k + 1), rim((k + 1) * n / 4));
+    add_wall(corner(k), corner(k + 1));
+  }
+  for(int k = 0; k < n; ++k)
+  {
+    add_both(corner(4 * k / n), rim(k + 1), rim(k));
+    add_wall(rim(k + 1), rim(k));
+  }
+  return model;
+}
+
+TEST(Flat_face, makes_no_feature_where_coordinates_are_rounded)
+{
+  for(const double radius : { 3., 10., 30. })
+    for(const double shift : { 0., 1e4, 1e5 })
+    {
+      const Cad_mesh<Surface_mesh> cad_mesh(rounded_plate_with_hole(radius, 400, shift), false);
+      EXPECT_EQ(12u + 2 * 400, detected(cad_mesh, parameters::strong_angle(40)).size()) << radius << ' ' << shift;
+    }
+}
+
+TEST(Flat_face, has_a_normal_if_coordinates_are_exact)
+{
+  const auto crease = [](const double height)
+  {
+    const Point a(0, 0, 0), b(1, 0, 0), below(0.5, -1, 0), above(0.5, 1, 0);
+    return Cad_mesh<Surface_mesh>(
+      Model{ { a, b, below, above, Point(0.3, 0, height) },
+             { { { 0, 1, 4 } }, { { 1, 0, 2 } }, { { 0, 4, 3 } }, { { 4, 1, 3 } } }, {} }, false);
+  };
+  EXPECT_EQ(0u, detected(crease(1e-17), parameters::coordinate_error(0)).size());
+  EXPECT_EQ(3u, detected(crease(1e-9), parameters::coordinate_error(0)).size());
+  EXPECT_EQ(0u, detected(crease(1e-9), parameters::strong_angle(40)).size());
+  EXPECT_EQ(3u, detected(crease(1e-3), parameters::strong_angle(40)).size());
+  EXPECT_EQ(0u, detected(crease(1e-3), parameters::coordinate_error(1e-3)).size());
+}
+
+TYPED_TEST(Feature_detection, does_not_read_isolated_vertices)
+{
+  Cad_mesh<TypeParam> cad_mesh(cube(), false);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  put(get(CGAL::vertex_point, cad_mesh.mesh), add_vertex(cad_mesh.mesh), Point(0, nan, 0));
+  EXPECT_EQ(12u, detected(cad_mesh, parameters::strong_angle(40)).size());
+  TypeParam empty;
+  EXPECT_EQ(FF::ERROR_EMPTY_MESH,
+            FF::detect_feature_edges(empty, get(CGAL::dynamic_edge_property_t<bool>(), empty)).error_code);
+}
+
 TYPED_TEST(Feature_detection, refuses_what_it_cannot_read_and_writes_nothing)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -265,6 +346,7 @@ TYPED_TEST(Feature_detection, refuses_what_it_cannot_read_and_writes_nothing)
     expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::strong_angle(40).weak_angle(angle));
   for(const double length : { nan, -1. })
     expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::minimum_chain_length(length));
+  expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::coordinate_error(-1e-9));
 
   put(get(CGAL::vertex_point, cad_mesh.mesh), *vertices(cad_mesh.mesh).begin(), Point(0, nan, 0));
   expect_error(FF::ERROR_NON_FINITE_COORDINATE, cad_mesh.mesh, parameters::strong_angle(40));
@@ -295,7 +377,7 @@ TEST_P(Feature_detection_on_models, with_one_angle_is_that_of_cgal)
   const auto expected = get(CGAL::dynamic_edge_property_t<bool>(), cad_mesh.mesh);
   CGAL::Polygon_mesh_processing::detect_sharp_edges(cad_mesh.mesh, 40.01, expected);
   const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), cad_mesh.mesh);
-  ASSERT_TRUE(FF::detect_feature_edges(cad_mesh.mesh, is_feature, parameters::strong_angle(40.01)));
+  ASSERT_TRUE(FF::detect_feature_edges(cad_mesh.mesh, is_feature, parameters::strong_angle(40.01).coordinate_error(0)));
   for(const auto e : edges(cad_mesh.mesh))
     EXPECT_EQ(get(expected, e), get(is_feature, e)) << e;
 }
@@ -305,7 +387,8 @@ TEST_P(Feature_detection_on_models, with_two_angles_takes_what_is_connected_with
   const Cad_mesh<Surface_mesh> cad_mesh(GetParam().make(), false);
   const Surface_mesh& mesh = cad_mesh.mesh;
   const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
-  ASSERT_TRUE(FF::detect_feature_edges(mesh, is_feature, parameters::strong_angle(40.01).weak_angle(20.01)));
+  ASSERT_TRUE(FF::detect_feature_edges(
+    mesh, is_feature, parameters::strong_angle(40.01).weak_angle(20.01).coordinate_error(0)));
 
   std::map<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index> parent; // of a forest of connected vertices
   const auto root = [&](Surface_mesh::Vertex_index v)

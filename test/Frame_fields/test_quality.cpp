@@ -37,7 +37,7 @@ protected:
     Measured_field result;
     const auto all = parameters::join(np, cad_mesh.features().matching_map(maps.matching)
                                                    .statistics(std::ref(result.field.statistics)));
-    FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index, all);
+    EXPECT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index, all));
     EXPECT_TRUE(FF::frame_field_quality(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, result.quality, all));
     EXPECT_TRUE(FF::singularities(cad_mesh.mesh, maps.index, std::back_inserter(result.singularities),
                                   cad_mesh.features()));

@@ -12,12 +12,19 @@
 #ifndef CGAL_FRAME_FIELDS_ERROR_CODE_H
 #define CGAL_FRAME_FIELDS_ERROR_CODE_H
 
+#include <CGAL/Frame_fields/internal/surface/strict_floating_point.h>
+
 #include <string>
 
 /// \file Error_code.h
 
 namespace CGAL {
 namespace Frame_fields {
+
+// Curses and others define a macro of this name. It is put aside here, and whoever defined it has it back afterwards;
+// where it is 0, it even stands for the enumerator.
+#pragma push_macro("OK")
+#undef OK
 
 /// \ingroup PkgFrame_fieldsEnums
 ///
@@ -35,7 +42,8 @@ enum Error_code
   ERROR_WRONG_FIELD,                 ///< A map read as input does not hold what it must
   ERROR_POINCARE_HOPF,               ///< The index targets of a patch do not sum to its Euler characteristic
   ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to
-  ERROR_CANNOT_SOLVE_LINEAR_SYSTEM   ///< The linear solver failed
+  ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,  ///< The linear solver failed
+  ERROR_INCONSISTENT_HALFEDGES       ///< Opposite halfedges, or the halfedges around a face, contradict one another
 };
 
 /// \ingroup PkgFrame_fieldsEnums
@@ -58,6 +66,7 @@ inline const char* get_error_message(int error_code)
     case ERROR_POINCARE_HOPF:              return "Index targets do not sum to the Euler characteristic";
     case ERROR_NO_RECEIVING_SECTOR:        return "The rotation taken from a sharp corner finds no sector to go to";
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "The linear solver failed";
+    case ERROR_INCONSISTENT_HALFEDGES:     return "The halfedges of the mesh contradict one another";
   }
   return "Unknown error";
 }
@@ -67,7 +76,7 @@ inline const char* get_error_message(int error_code)
 /// is what the functions of this package return: an error code, and for a failure a message that names the element at
 /// fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by the coordinates of one of
 /// its vertices. When `error_code` is not `OK`, no output map was written and no output iterator was advanced.
-struct Result
+struct [[nodiscard]] Result
 {
   /// `OK` or the reason for the failure
   Error_code error_code = OK;
@@ -78,6 +87,8 @@ struct Result
   /// returns `true` on success.
   explicit operator bool() const { return error_code == OK; }
 };
+
+#pragma pop_macro("OK")
 
 namespace internal {
 

@@ -14,12 +14,15 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/features/Feature_mesh.h>
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
+#include <CGAL/Frame_fields/internal/features/flat_faces.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 /// \file detect_feature_edges.h
 
@@ -29,7 +32,7 @@ namespace internal {
 
 struct Feature_options
 {
-  double strong_angle, weak_angle, minimum_chain_length;
+  double strong_angle, weak_angle, minimum_chain_length, coordinate_error; // the last NaN for the default
   bool closes_gaps;
 };
 
@@ -42,6 +45,8 @@ Feature_options feature_options_from(const NamedParameters& np)
   options.strong_angle = choose_parameter(get_parameter(np, internal::strong_angle), 40.);
   options.weak_angle = choose_parameter(get_parameter(np, internal::weak_angle), options.strong_angle);
   options.minimum_chain_length = choose_parameter(get_parameter(np, internal::minimum_chain_length), 0.);
+  options.coordinate_error =
+    choose_parameter(get_parameter(np, internal::coordinate_error), std::numeric_limits<double>::quiet_NaN());
   options.closes_gaps = choose_parameter(get_parameter(np, internal::close_gaps), false);
   return options;
 }
@@ -54,6 +59,8 @@ inline Result check(const Feature_options& options)
     return failure(ERROR_WRONG_PARAMETER, "weak_angle must be from 0 to strong_angle");
   if(!(options.minimum_chain_length >= 0))
     return failure(ERROR_WRONG_PARAMETER, "minimum_chain_length must not be negative");
+  if(options.coordinate_error < 0)
+    return failure(ERROR_WRONG_PARAMETER, "coordinate_error must not be negative");
   return {};
 }
 
@@ -74,8 +81,12 @@ finds feature edges by the angles between the normals of their faces, and cleans
    chain goes first; two chains that are left at a vertex become one. So a spur goes and the chain that it
    is on stays, and nothing is taken out of the boundary of a patch.
 
-Border edges always are features. A face without area has no normal; its neighbour across its longest edge stands for
-it.
+Border edges always are features. Coordinates have errors, so a face that is hardly higher than they are has no normal
+of its own: one whose height over its longest edge does not determine the normal to half the weak angle (to 1 degree at
+least, and to 45 at most). The normal of the neighbor that it lies along stands for it, and its own where no neighbor is
+better off. With an error of \f$ e \f$ in each coordinate these are heights up to
+\f$ 2 \sqrt 3\, e\, (1 + 1 / \tan(\mathrm{weak\_angle} / 2)) \f$, with the defaults \f$ 13\, e \f$, less than a
+millionth of the size of the mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a class model of `WritablePropertyMap` with
@@ -107,6 +118,14 @@ it.
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{0}
   \cgalParamNEnd
+  \cgalParamNBegin{coordinate_error}
+    \cgalParamDescription{the largest error of a coordinate}
+    \cgalParamType{`double`, a length, not negative}
+    \cgalParamDefault{\f$ 2^{-24} \f$ of the longest side of the bounding box, or of the largest coordinate of a face if
+                      that is more and all coordinates of `tm` are numbers of type `float`, as in STL files}
+    \cgalParamExtra{Give \f$ 0.5 \cdot 10^{-d} \f$ for coordinates with \f$ d \f$ digits after the point. Below
+                    \f$ 2^{-53} \f$ of the largest coordinate of a face, that counts instead.}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
@@ -121,10 +140,10 @@ it.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or `ERROR_WRONG_PARAMETER`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or `ERROR_WRONG_PARAMETER`
 
-\cgalBigO{n} for \f$ n \f$ edges, and \cgalBigO{n \log n} for each round in which chains are removed; a second round
-is needed where chains have become one.
+\cgalBigO{n} for \f$ n \f$ edges, \cgalBigO{m \log m} for \f$ m \f$ faces without normal, and \cgalBigO{n \log n}
+for each round in which chains are removed; a second round is needed where chains have become one.
 
 \sa `dangling_feature_ends()`
 \sa `cad_frame_field()`
@@ -139,10 +158,15 @@ Result detect_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_fea
     return result;
   internal::Feature_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
   internal::Feature_graph graph;
-  result = mesh.read(graph);
+  internal::Feature_faces faces;
+  result = mesh.read(graph, faces);
   if(!result)
     return result;
-  internal::mark_with_hysteresis(graph, mesh.dihedral_angles(graph), options.strong_angle, options.weak_angle);
+  const internal::Coordinate_error coordinate_error(graph, faces, options.coordinate_error);
+  const std::vector<int> normal_face =
+    internal::Flat_faces(graph, faces, coordinate_error, options.weak_angle).faces_with_normals();
+  internal::mark_with_hysteresis(graph, mesh.dihedral_angles(graph, faces, normal_face), options.strong_angle,
+                                 options.weak_angle);
   if(options.closes_gaps)
     internal::join_dangling_ends(graph);
   if(options.minimum_chain_length > 0)

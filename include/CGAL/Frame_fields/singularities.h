@@ -23,6 +23,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <limits>
 #include <vector>
 
 /// \file singularities.h
@@ -96,6 +97,9 @@ lists the sectors of a frame field whose index is not 0, with their places and t
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or
         `ERROR_ZERO_LENGTH_EDGE`
 
+\cgalBigO{n} for \f$ n \f$ faces, and for each singularity in a patch with constrained edges \cgalBigO{m \log m} for
+the \f$ m \f$ faces that are nearer to it than the nearest of them.
+
 \sa `singularity_indices()`
 */
 template <typename TriangleMesh, typename IndexMap, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -113,14 +117,19 @@ Result singularities(const TriangleMesh& tm, IndexMap index_map, OutputIterator 
   std::vector<Singularity<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> > found;
   for(const internal::Patch& patch : surface.patches)
   {
+    const bool has_constrained_sector = internal::has_constrained_sector(surface, patch);
     internal::Geodesic_distances distances(surface, patch);
     for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
     {
       const auto h = cut_mesh.halfedge_of(surface.first_corner[s]);
       const int index = get(index_map, h);
       if(index != 0)
-        found.push_back({ h, index, surface.is_constrained_sector(s), surface.total_angle[s],
-                          surface.length_unit * internal::distance_to_constrained_sector(surface, s, distances) });
+      {
+        const double distance = has_constrained_sector
+                              ? surface.length_unit * internal::distance_to_constrained_sector(surface, s, distances)
+                              : std::numeric_limits<double>::infinity();
+        found.push_back({ h, index, surface.is_constrained_sector(s), surface.total_angle[s], distance });
+      }
     }
   }
   for(const auto& singularity : found)

@@ -148,8 +148,7 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   result = internal::streamline_options_from(np, charts, streamline_options);
   if(!result)
     return result;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<internal::concurrency_t, CGAL_NP_CLASS,
-                                                             CGAL::Sequential_tag>::type Concurrency_tag;
+  typedef typename internal::Given_concurrency<CGAL_NP_CLASS>::type Concurrency_tag;
   typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
   const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));

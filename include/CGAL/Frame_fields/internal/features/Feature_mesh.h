@@ -13,6 +13,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
+#include <CGAL/Frame_fields/internal/features/flat_faces.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -22,10 +23,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +42,7 @@ public:
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
 
   Feature_mesh(const TriangleMesh& tm, const NamedParameters& np)
     : m_mesh(tm)
@@ -51,16 +53,13 @@ public:
         CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
     , m_vertex_number(get(CGAL::dynamic_vertex_property_t<int>(), tm))
     , m_edge_number(get(CGAL::dynamic_edge_property_t<int>(), tm))
+    , m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
   {}
 
-  // Reads vertices and edges; the features are the border edges.
-  Result read(Feature_graph& graph)
+  // Reads vertices, edges and faces; the features are the border edges. Coordinates of isolated vertices are no matter.
+  Result read(Feature_graph& graph, Feature_faces& feature_faces)
   {
-    Result result = read_vertices(graph);
-    if(result)
-      result = check_faces();
-    if(!result)
-      return result;
+    read_vertices(graph);
     for(const edge_descriptor e : edges(m_mesh))
     {
       const halfedge_descriptor h = halfedge(e, m_mesh);
@@ -71,18 +70,30 @@ public:
       graph.is_border.push_back(is_border(h, m_mesh) || is_border(opposite(h, m_mesh), m_mesh));
     }
     graph.is_feature = graph.is_border;
-    return {};
+    return read_faces(graph, feature_faces);
   }
 
-  // The angles between the normals of the two faces at the edges in degrees; 0 at border edges.
-  std::vector<double> dihedral_angles(const Feature_graph& graph) const
+  // The angles between the normals of the two faces at the edges in degrees; 0 at border edges. `normal_face` is the
+  // one whose normal stands for each face.
+  std::vector<double> dihedral_angles(const Feature_graph& graph, const Feature_faces& feature_faces,
+                                      const std::vector<int>& normal_face) const
   {
+    const auto normal_at = [&](const halfedge_descriptor h) -> Coordinates
+    {
+      const int f = get(m_face_number, face(h, m_mesh));
+      if(normal_face[f] == f)
+        return normal(graph.points[number_of(source(h, m_mesh))], graph.points[number_of(target(h, m_mesh))],
+                      graph.points[number_of(target(next(h, m_mesh), m_mesh))]);
+      const std::array<int, 3>& v = feature_faces.vertices[normal_face[f]];
+      return normal(graph.points[v[0]], graph.points[v[1]], graph.points[v[2]]);
+    };
+
     std::vector<double> result;
     result.reserve(m_edges.size());
     for(std::size_t e = 0; e < m_edges.size(); ++e)
     {
       const halfedge_descriptor h = halfedge(m_edges[e], m_mesh);
-      result.push_back(graph.is_border[e] ? 0 : angle_between(normal(graph, h), normal(graph, opposite(h, m_mesh)))
+      result.push_back(graph.is_border[e] ? 0 : angle_between(normal_at(h), normal_at(opposite(h, m_mesh)))
                                                   * 180 / CGAL_PI);
     }
     return result;
@@ -97,76 +108,46 @@ private:
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::const_type
     Vertex_number_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type Edge_number_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
   int number_of(const vertex_descriptor v) const { return get(m_vertex_number, v); }
   int number_of(const edge_descriptor e) const { return get(m_edge_number, e); }
 
-  Result read_vertices(Feature_graph& graph)
+  void read_vertices(Feature_graph& graph)
   {
     for(const vertex_descriptor v : vertices(m_mesh))
     {
       put(m_vertex_number, v, graph.number_of_vertices());
       m_vertices.push_back(v);
       graph.points.push_back(coordinates_of(get(m_points, v), m_traits));
-      const Coordinates& point = graph.points.back();
-      if(!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-        return failure(ERROR_NON_FINITE_COORDINATE,
-                       "vertex " + std::to_string(graph.points.size() - 1) + " of vertices(tm)");
     }
-    return {};
   }
 
-  Result check_faces() const
+  Result read_faces(const Feature_graph& graph, Feature_faces& feature_faces) const
   {
-    std::size_t number = 0;
-    for(const auto f : faces(m_mesh))
+    for(const face_descriptor f : faces(m_mesh))
     {
-      if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
+      const int number = feature_faces.size();
+      halfedge_descriptor h = halfedge(f, m_mesh);
+      if(!CGAL::is_triangle(h, m_mesh))
         return failure(ERROR_NON_TRIANGULAR_MESH, "face " + std::to_string(number) + " of faces(tm)");
-      ++number;
+      put(m_face_number, f, number);
+      std::array<int, 3> face_vertices, face_edges;
+      for(int k = 0; k < 3; ++k, h = next(h, m_mesh))
+      {
+        face_vertices[k] = number_of(source(h, m_mesh));
+        face_edges[k] = number_of(edge(h, m_mesh));
+        for(const double coordinate : graph.points[face_vertices[k]])
+          if(!std::isfinite(coordinate))
+            return failure(ERROR_NON_FINITE_COORDINATE,
+                           "vertex " + std::to_string(face_vertices[k]) + " of vertices(tm)");
+      }
+      feature_faces.vertices.push_back(face_vertices);
+      feature_faces.edges.push_back(face_edges);
     }
+    if(feature_faces.size() == 0)
+      return failure(ERROR_EMPTY_MESH, "faces(tm) is an empty range");
     return {};
-  }
-
-  halfedge_descriptor longest_halfedge(const Feature_graph& graph, const halfedge_descriptor in_face) const
-  {
-    const auto order = [&](const halfedge_descriptor h)
-    {
-      const int e = number_of(edge(h, m_mesh));
-      return std::make_pair(graph.length[e], e);
-    };
-    halfedge_descriptor result = in_face;
-    for(const halfedge_descriptor h : { next(in_face, m_mesh), prev(in_face, m_mesh) })
-      if(order(result) < order(h))
-        result = h;
-    return result;
-  }
-
-  Coordinates normal_with_area(const Feature_graph& graph, const halfedge_descriptor h) const
-  {
-    const Coordinates& p = graph.points[number_of(source(h, m_mesh))];
-    const Coordinates& q = graph.points[number_of(target(h, m_mesh))];
-    const Coordinates& r = graph.points[number_of(target(next(h, m_mesh), m_mesh))];
-    return cross(scaled_direction(p, q), scaled_direction(q, r));
-  }
-
-  // A vector along the normal of the face of a halfedge. A face without area lies along its longest edge and takes the
-  // normal beyond that; longest edges grow on the way, so that it has an end. Zero if there is no face with an area.
-  Coordinates normal(const Feature_graph& graph, halfedge_descriptor h) const
-  {
-    halfedge_descriptor longest = Graph_traits::null_halfedge();
-    while(!is_border(h, m_mesh))
-    {
-      const Coordinates result = normal_with_area(graph, h);
-      if(maximum_norm(result) > 0)
-        return result;
-      const halfedge_descriptor came_from = longest;
-      longest = longest_halfedge(graph, h);
-      if(came_from == opposite(longest, m_mesh))
-        break;
-      h = opposite(longest, m_mesh);
-    }
-    return { 0, 0, 0 };
   }
 
   const TriangleMesh& m_mesh;
@@ -174,6 +155,7 @@ private:
   Geom_traits m_traits;
   Vertex_number_map m_vertex_number;
   Edge_number_map m_edge_number;
+  Face_number_map m_face_number;
   std::vector<vertex_descriptor> m_vertices;
   std::vector<edge_descriptor> m_edges;
 };

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_ROTATION_DEMAND_H
 
 #include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/field/Hub_rings.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_ball.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
@@ -265,8 +266,15 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
   }
 
   Receiver_search search(surface, patch, strategy, bound);
+  const int number_of_rings = static_cast<int>((std::min)(strategy.number_of_rings(), 1000000000u));
+  Hub_rings hub_rings(surface, patch, strategy.kind() == Support_strategy::RINGS ? number_of_rings : 0, bound);
   for(const int corner : sharp_corners)
   {
+    if(strategy.kind() == Support_strategy::RINGS && hub_rings.take(corner, demand_of(corner), demand))
+    {
+      demand[corner] = demand_of(corner);
+      continue;
+    }
     const std::vector<Receiver> receivers = search.receivers_of(corner);
     if(receivers.empty())
       return corner;
@@ -274,6 +282,7 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
     demand[corner] = rotation;
     take_from(receivers, rotation);
   }
+  hub_rings.take_from_shared_receivers(demand);
   return -1;
 }
 

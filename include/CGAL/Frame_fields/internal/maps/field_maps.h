@@ -106,6 +106,16 @@ void write_sectors(const CutMesh& cut_mesh, const ListSectors& list_sectors, Out
 template <typename CutMesh, typename ListSectors>
 void write_sectors(const CutMesh&, const ListSectors&, const CGAL::internal_np::Param_not_found) {}
 
+// Beyond it an angle has lost the digits that say where it points, and its quarter turns are no int.
+constexpr double largest_angle_read = 1e6;
+
+inline bool is_angle(const double value) { return std::abs(value) <= largest_angle_read; }
+
+inline std::string beyond_largest_angle()
+{
+  return " is not finite or beyond +-" + std::to_string(static_cast<int>(largest_angle_read)) + " radians in ";
+}
+
 template <typename CutMesh, typename FaceMap>
 Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
 {
@@ -113,8 +123,8 @@ Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const Fa
   for(std::size_t f = 0; f < cut_mesh.face_descriptors().size(); ++f)
   {
     values.push_back(get(map, cut_mesh.face_descriptors()[f]));
-    if(!std::isfinite(values.back()))
-      return failure(ERROR_WRONG_FIELD, std::string(name) + " is not finite in "
+    if(!is_angle(values.back()))
+      return failure(ERROR_WRONG_FIELD, name + beyond_largest_angle()
                                         + cut_mesh.description_of_face(static_cast<int>(f)));
   }
   return {};
@@ -156,9 +166,14 @@ Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& 
 {
   const Result result = read_from_dual_edges(
     cut_mesh, "the prescribed rotation", CGAL::parameters::get_parameter(np, internal::prescribed_rotation), omega);
-  if(result)
-    omega.resize(cut_mesh.surface().number_of_dual_edges(), 0);
-  return result;
+  if(!result)
+    return result;
+  for(std::size_t e = 0; e < omega.size(); ++e)
+    if(!is_angle(omega[e]))
+      return failure(ERROR_WRONG_FIELD, "the prescribed rotation" + beyond_largest_angle()
+                     + cut_mesh.description_of_face(face_of(cut_mesh.surface().dual_edges[e].halfedge)));
+  omega.resize(cut_mesh.surface().number_of_dual_edges(), 0);
+  return {};
 }
 
 template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>

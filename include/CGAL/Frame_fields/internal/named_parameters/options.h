@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/internal/named_parameters/concurrency.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
@@ -125,10 +126,9 @@ struct Solver_traits_from
 template <typename NamedParameters>
 struct Concurrency_from
 {
-  typedef typename CGAL::internal_np::Lookup_named_param_def<internal::concurrency_t, NamedParameters,
-                                                             CGAL::Sequential_tag>::type Given_tag;
   typedef typename std::conditional<Solver_traits_from<NamedParameters>::type::Has_independent_solvers::value,
-                                    Given_tag, CGAL::Sequential_tag>::type type;
+                                    typename Given_concurrency<NamedParameters>::type,
+                                    CGAL::Sequential_tag>::type type;
 };
 
 } // namespace internal

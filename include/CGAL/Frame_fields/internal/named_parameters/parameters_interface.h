@@ -40,6 +40,7 @@ CGAL_add_named_parameter(maximum_streamline_length_t, maximum_streamline_length,
 CGAL_add_named_parameter(strong_angle_t, strong_angle, strong_angle)
 CGAL_add_named_parameter(weak_angle_t, weak_angle, weak_angle)
 CGAL_add_named_parameter(minimum_chain_length_t, minimum_chain_length, minimum_chain_length)
+CGAL_add_named_parameter(coordinate_error_t, coordinate_error, coordinate_error)
 CGAL_add_named_parameter(close_gaps_t, close_gaps, close_gaps)
 CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)
 CGAL_add_named_parameter(number_of_quads_t, number_of_quads, number_of_quads)

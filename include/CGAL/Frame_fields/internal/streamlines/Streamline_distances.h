@@ -35,6 +35,13 @@ struct Streamline_place
   double arc;
 };
 
+// Of a piece of a streamline: from `begin` to `end` along branch 0 or 1, at `offset` to its left.
+struct Streamline_part
+{
+  double offset, begin, end, arc_at_begin, arc_at_end;
+  int line;
+};
+
 // The streamlines of a patch, for questions of what is near. Pieces of one branch pair in one face are parallel, so
 // they are sorted by their offsets across it.
 class Streamline_distances
@@ -94,13 +101,20 @@ public:
     return is_near;
   }
 
-private:
-  // Of a piece of a streamline: from `begin` to `end` along branch 0 or 1, at `offset` to its left.
-  struct Part
+  // Calls `visit(part, reach)` for the parts in a face, of a branch pair, that are nearer than `distance` to a line at
+  // `offset` along it: each is so from `reach` before its begin to `reach` beyond its end.
+  template <typename Visit>
+  void for_each_near_part(const int face, const int branch, const double offset, const double distance,
+                          const Visit& visit) const
   {
-    double offset, begin, end, arc_at_begin, arc_at_end;
-    int line;
-  };
+    const std::vector<Streamline_part>& parts = m_parts[number_of_list(face, branch)];
+    for(auto part = std::upper_bound(parts.begin(), parts.end(), offset - distance, Is_left_of());
+        part != parts.end() && part->offset < offset + distance; ++part)
+      visit(*part, std::sqrt((std::max)(0., distance * distance - (part->offset - offset) * (part->offset - offset))));
+  }
+
+private:
+  typedef Streamline_part Part;
 
   struct Is_left_of
   {
@@ -109,10 +123,12 @@ private:
     bool operator()(const Part& a, const Part& b) const { return a.offset < b.offset; }
   };
 
-  std::vector<Part>& parts_of(const int face, const int branch)
+  std::size_t number_of_list(const int face, const int branch) const
   {
-    return m_parts[2 * static_cast<std::size_t>(face - m_first_face) + branch % 2];
+    return 2 * static_cast<std::size_t>(face - m_first_face) + branch % 2;
   }
+
+  std::vector<Part>& parts_of(const int face, const int branch) { return m_parts[number_of_list(face, branch)]; }
 
   bool is_part_near(const Chart_point& point, const double distance, const Streamline_place& place)
   {

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_EVENLY_SPACED_STREAMLINES_H
 
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
+#include <CGAL/Frame_fields/internal/streamlines/Chart_line.h>
 #include <CGAL/Frame_fields/internal/streamlines/Face_neighborhood.h>
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_distances.h>
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_options.h>
@@ -109,6 +110,9 @@ public:
 private:
   // The number of the line that all constrained edges are.
   static constexpr int constrained_edge = -1;
+
+  // Far more than rounding errors, far less than what is seen.
+  static constexpr double relative_tolerance = 1e-6;
 
   // Marks per face of the patch and branch pair.
   typedef std::vector<bool> Marks;
@@ -220,11 +224,41 @@ private:
     double next = (std::min)(length, m_options.spacing) / 2, arc = 0;
     for(const Streamline_piece& piece : pieces)
     {
-      for(; next < arc + piece.length; next += m_options.spacing)
+      while(next < arc + piece.length)
+      {
+        const double taken = (std::min)(taken_until(piece, next - arc, 1), taken_until(piece, next - arc, -1));
+        if(taken > next - arc)
+        {
+          next += m_options.spacing * (std::floor((taken - (next - arc)) / m_options.spacing) + 1);
+          continue;
+        }
         for(const double side : { 1, -1 })
           begin_line_beside({ piece.face, piece.branch, first_part(piece, next - arc).to }, side);
+        next += m_options.spacing;
+      }
       arc += piece.length;
     }
+  }
+
+  // The length along a piece up to which no line can begin beside it, since one in the same face is too near; `from` if
+  // there it might. In a large face this saves a try at every spacing.
+  double taken_until(const Streamline_piece& piece, const double from, const double side) const
+  {
+    if(piece.length - from < 2 * m_options.spacing)
+      return from;
+    const Chart_line line(m_charts, m_directions, piece, side * m_options.spacing);
+    if(!line.is_along_branch(relative_tolerance * m_options.spacing))
+      return from;
+    // Nearer to a side, a seed is on an edge for moved_off_edges().
+    const auto margin = [&](const int h) { return 4e-6 * m_charts.area(piece.face) / m_charts.length(h); };
+    const Length_interval inside = line.inside(margin);
+    double result = from;
+    if(inside.contains(from))
+      for(const Length_interval& near : line.near_parts(m_distances, (1 - relative_tolerance) * nearest_seed(),
+                                                        [](const Streamline_part&) { return true; }))
+        if(near.contains(from))
+          result = (std::max)(result, (std::min)(near.end, inside.end) - relative_tolerance * m_options.spacing);
+    return result;
   }
 
   void begin_line_beside(Streamline_seed seed, const double side)
@@ -279,14 +313,16 @@ private:
     return { Streamline_head::INSIDE, -1, seed.face, seed.branch, seed.weights };
   }
 
+  // Lines begin at least at this distance from others.
+  double nearest_seed() const { return 0.9 * m_options.spacing; }
+
   // Adds the line through the seed unless another one is too near to it. Lines bend, so a point at the spacing from one
   // point of a line can be a little nearer to another one.
   void begin_line(const Streamline_seed& given_seed)
   {
     const Streamline_seed seed = moved_off_edges(given_seed);
-    const double nearest = 0.9;
     const int line = static_cast<int>(m_lines.size());
-    if(m_distances.is_line_near(chart_point(seed), nearest * m_options.spacing, { line, 0 }))
+    if(m_distances.is_line_near(chart_point(seed), nearest_seed(), { line, 0 }))
       return;
     Traced_streamline forward = trace_one_way(seed, line, 1);
     if(!forward.is_closed)
@@ -343,6 +379,54 @@ private:
     return true;
   }
 
+  // Where in a piece samples are needed: not in its free interval, but for the intervals in which a line is near.
+  struct Piece_to_sample
+  {
+    Length_interval free{ 1, 0 };
+    std::vector<Length_interval> near;
+
+    // The length up to which no sample can be too near to a line; `from` if there it might.
+    double free_until(const double from) const
+    {
+      if(!free.contains(from))
+        return from;
+      double result = free.end;
+      for(const Length_interval& interval : near)
+        if(interval.contains(from))
+          return from;
+        else if(interval.begin > from)
+          result = (std::min)(result, interval.begin);
+      return result;
+    }
+  };
+
+  // A point that is far from all sides of its face that can be crossed is near to lines in this face only.
+  Piece_to_sample piece_to_sample(const Streamline_piece& piece, const double start, const int line,
+                                  const double sign) const
+  {
+    const double distance = m_options.least_distance * (1 + relative_tolerance);
+    Piece_to_sample result;
+    if(piece.length < 2 * m_options.least_distance) // a few samples are faster
+      return result;
+    const Chart_line chart_line(m_charts, m_directions, piece, 0);
+    if(!chart_line.is_along_branch(relative_tolerance * distance))
+      return result;
+    result.free = chart_line.inside([&](const int h) { return m_surface.is_constrained(h) ? -distance : distance; });
+    const double arc_at_begin = sign * start, arc_at_end = sign * (start + piece.length);
+    result.near = chart_line.near_parts(m_distances, distance, [&](const Streamline_part& part)
+    {
+      // Of the line itself, what was traced just before does not count.
+      const double farthest = (std::max)({ std::abs(part.arc_at_begin - arc_at_begin),
+                                           std::abs(part.arc_at_begin - arc_at_end),
+                                           std::abs(part.arc_at_end - arc_at_begin),
+                                           std::abs(part.arc_at_end - arc_at_end) });
+      return part.line != line || farthest > 3 * m_options.least_distance;
+    });
+    for(Length_interval& interval : result.near)
+      interval = { interval.begin - relative_tolerance * distance, interval.end + relative_tolerance * distance };
+    return result;
+  }
+
   // Samples the last piece, which begins at the length `start`. Cuts the line at the last sample that was good and
   // returns false if a sample is too near to a line.
   bool keep_distance(Growing_streamline& growing, const double start, const int line, const double sign)
@@ -351,8 +435,15 @@ private:
       return true;
     const double step = m_options.least_distance / 4;
     const Streamline_piece piece = growing.pieces.back();
-    for(double sample = step * (std::floor(start / step) + 1); sample <= growing.length; sample += step)
+    const Piece_to_sample to_sample = piece_to_sample(piece, start, line, sign);
+    double number = std::floor(start / step) + 1;
+    for(double sample = step * number; sample <= growing.length; sample = step * ++number)
     {
+      if(const double free_until = to_sample.free_until(sample - start); free_until > sample - start)
+      {
+        number = (std::max)(number, std::ceil((start + free_until) / step) - 1);
+        continue;
+      }
       const Streamline_seed point{ piece.face, piece.branch, first_part(piece, sample - start).to };
       if(m_distances.is_line_near(chart_point(point), m_options.least_distance, { line, sign * sample }))
       {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/internal/named_parameters/concurrency.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
@@ -91,9 +92,10 @@ public:
   Result build(const Options& options, const bool accepts_overconstrained_faces = false)
   {
     Result result = collect_faces();
+    if(result)
+      result = sort_by_patches();
     if(!result)
       return result;
-    sort_by_patches();
     result = measure(options.needs_lengths());
     if(!result)
       return result;
@@ -105,7 +107,9 @@ public:
     collect_dual_edges<Concurrency_tag>(m_surface, options.edge_weighting);
     align_with_constrained_edges(m_surface);
     result = read_guidance();
-    return result ? read_index_targets() : result;
+    if(result)
+      result = read_index_targets();
+    return result ? check_sums_of_index_targets() : result;
   }
 
   const TriangleMesh& mesh() const { return m_mesh; }
@@ -176,8 +180,7 @@ private:
     internal::guiding_weight_t, NamedParameters, Unit_weight_map<face_descriptor> >::type Weight_map;
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     internal::index_target_t, NamedParameters, CGAL::internal_np::Param_not_found>::type Target_map;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    internal::concurrency_t, NamedParameters, CGAL::Sequential_tag>::type Concurrency_tag;
+  typedef typename Given_concurrency<NamedParameters>::type Concurrency_tag;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
   // The matrix of the relaxation has up to 6 entries for each face, numbered by `int`.
@@ -214,7 +217,7 @@ private:
     return 3 * get(m_face_number, f) + place;
   }
 
-  void sort_by_patches()
+  Result sort_by_patches()
   {
     const int unknown = -2;
     std::vector<int> opposite_number(3 * m_faces.size(), unknown);
@@ -230,6 +233,9 @@ private:
           opposite_number[opposite_number[i]] = static_cast<int>(i);
       }
     }
+    const int wrong = inconsistent_halfedge(opposite_number);
+    if(wrong >= 0)
+      return failure(ERROR_INCONSISTENT_HALFEDGES, description_of_face(m_faces[face_of(wrong)]));
     std::vector<int> patch_of_face;
     const int number_of_patches = number_patches(opposite_number, patch_of_face);
     const std::vector<int> order = face_order_by_patches(patch_of_face, number_of_patches, m_surface.patches);
@@ -240,6 +246,7 @@ private:
     for(const int f : order)
       sorted_faces.push_back(m_faces[f]);
     m_faces.swap(sorted_faces);
+    return {};
   }
 
   // The largest power of two up to the size of the coordinates.
@@ -396,6 +403,16 @@ private:
         target = given;
       }
     }
+    return {};
+  }
+
+  Result check_sums_of_index_targets() const
+  {
+    for(const Patch& patch : m_surface.patches)
+      if(has_index_targets(m_surface, patch))
+        if(const long long missing = missing_index(m_surface, patch); missing != 0)
+          return failure(ERROR_POINCARE_HOPF, std::to_string(missing) + "/4 is missing in the patch of "
+                                              + description_of_sector(patch.sectors.begin_index));
     return {};
   }
 

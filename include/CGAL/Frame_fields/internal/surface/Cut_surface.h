@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_CUT_SURFACE_H
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
+#include <CGAL/Frame_fields/internal/surface/strict_floating_point.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -99,6 +100,17 @@ inline double halfedge_angle(const Cut_surface& surface, const int halfedge)
     case 1: return CGAL_PI - surface.angle[first];
     default: return CGAL_PI + surface.angle[first + 2];
   }
+}
+
+// A halfedge that is not the opposite of its opposite, or is its own; -1 if there is none. Then to go on to the next
+// corner of a sector is a permutation, and every walk around a sector comes to an end.
+inline int inconsistent_halfedge(const std::vector<int>& opposite)
+{
+  for(std::size_t h = 0; h < opposite.size(); ++h)
+    if(const int other = opposite[h]; other >= 0)
+      if(other == static_cast<int>(h) || opposite[other] != static_cast<int>(h))
+        return static_cast<int>(h);
+  return -1;
 }
 
 // Aligns the faces with their constrained edges.

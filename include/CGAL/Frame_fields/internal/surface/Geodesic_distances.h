@@ -124,6 +124,15 @@ private:
   Queue m_queue;
 };
 
+inline bool has_constrained_sector(const Cut_surface& surface, const Patch& patch)
+{
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    if(surface.is_constrained_sector(s))
+      return true;
+  return false;
+}
+
+// The search runs over all that is nearer, so it should be known that there is one.
 inline double distance_to_constrained_sector(const Cut_surface& surface, const int sector,
                                              Geodesic_distances& distances)
 {

@@ -21,7 +21,7 @@ namespace internal {
 // What a stage says of one patch. For a failure, `sector` is the one at fault, or any one if it is the whole patch.
 struct Patch_result
 {
-  Error_code error_code = OK;
+  Error_code error_code{}; // no error
   int sector = 0;
   long long missing_index = 0; // with ERROR_POINCARE_HOPF: what 4 I lacks in the patch of the sector
 };

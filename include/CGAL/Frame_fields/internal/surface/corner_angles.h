@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_CORNER_ANGLES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_CORNER_ANGLES_H
 
+#include <CGAL/Frame_fields/internal/surface/strict_floating_point.h>
+
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 

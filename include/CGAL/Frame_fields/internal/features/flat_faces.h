@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FLAT_FACES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FLAT_FACES_H
+
+#include <CGAL/Frame_fields/internal/features/feature_graph.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The faces of a mesh whose features are looked for: edge k of a face runs from its vertex k to the next one.
+struct Feature_faces
+{
+  std::vector<std::array<int, 3> > vertices, edges;
+
+  int size() const { return static_cast<int>(vertices.size()); }
+};
+
+// How far off a coordinate may be.
+class Coordinate_error
+{
+public:
+  // What is not a number stands for the default: a mesh is known to one part of its size in 2^24, as in files that hold
+  // `float`, and where all coordinates are such numbers, each of them is rounded to one.
+  Coordinate_error(const Feature_graph& graph, const Feature_faces& faces, const double given)
+    : m_least(given)
+  {
+    if(!std::isnan(given))
+      return;
+    const double float_rounding = 0x1p-24;
+    double half_size = 0;
+    bool are_floats = true;
+    for(int i = 0; i < 3; ++i)
+    {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for(const std::array<int, 3>& vertices : faces.vertices)
+        for(const int v : vertices)
+        {
+          const double x = graph.points[v][i];
+          low = (std::min)(low, x);
+          high = (std::max)(high, x);
+          are_floats = are_floats && is_float(x);
+        }
+      half_size = (std::max)(half_size, high / 2 - low / 2);
+    }
+    m_least = 2 * float_rounding * half_size;
+    if(are_floats)
+      m_relative = float_rounding;
+  }
+
+  double operator()(const Coordinates& p, const Coordinates& q, const Coordinates& r) const
+  {
+    return (std::max)(m_least, m_relative * (std::max)({ maximum_norm(p), maximum_norm(q), maximum_norm(r) }));
+  }
+
+private:
+  static bool is_float(const double x)
+  {
+    return std::abs(x) <= (std::numeric_limits<float>::max)() && static_cast<double>(static_cast<float>(x)) == x;
+  }
+
+  double m_least, m_relative = 0x1p-53;
+};
+
+// The height of a triangle over its longest side.
+inline double smallest_height(const Coordinates& p, const Coordinates& q, const Coordinates& r)
+{
+  const double pq = distance(p, q), qr = distance(q, r), rp = distance(r, p);
+  // The ends of the longest side first, the apex last.
+  const std::array<const Coordinates*, 3> order =
+    pq >= qr && pq >= rp ? std::array<const Coordinates*, 3>{ &p, &q, &r }
+    : qr >= rp           ? std::array<const Coordinates*, 3>{ &q, &r, &p }
+                         : std::array<const Coordinates*, 3>{ &r, &p, &q };
+  const Coordinates base = scaled_direction(*order[0], *order[1]), side = scaled_direction(*order[0], *order[2]);
+  if(maximum_norm(base) == 0 || maximum_norm(side) == 0)
+    return 0;
+  return distance(*order[0], *order[2]) * (length(cross(base, side)) / (length(base) * length(side)));
+}
+
+// The height up to which the normal of a face may be off by more than `angle`. If no point is farther than d from its
+// exact place, the points are within d of the exact plane. Then the exact plane rises by at most 2 d over the width of
+// the face, and the width is the smallest height, which the errors change by 2 d, too.
+inline double flat_height(const Coordinates& p, const Coordinates& q, const Coordinates& r,
+                          const Coordinate_error& coordinate_error, const double angle)
+{
+  const double d = std::sqrt(3.) * coordinate_error(p, q, r);
+  return 2 * d * (1 + 1 / std::tan(angle));
+}
+
+// A vector along the normal of a triangle, zero if it has no area.
+inline Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
+{
+  return cross(scaled_direction(p, q), scaled_direction(q, r));
+}
+
+// Finds the faces that are too flat to have a normal and gives them that of a face they lie along.
+class Flat_faces
+{
+public:
+  // Two faces in one plane must not seem to meet at `weak_angle`, which is in degrees.
+  Flat_faces(const Feature_graph& graph, const Feature_faces& faces, const Coordinate_error& coordinate_error,
+             const double weak_angle)
+    : m_graph(graph), m_faces(faces), m_error(coordinate_error)
+    , m_largest_deviation((std::min)(45., (std::max)(1., weak_angle / 2)) * CGAL_PI / 180)
+    , m_normal_face(faces.size(), -1), m_faces_at(graph.ends.size(), { -1, -1 })
+  {}
+
+  // For each face the one whose normal stands for it. A flat face takes that of its neighbor across the longest edge
+  // by which any of them is reached, but only across edges that it lies along. Where no other normal is known, a face
+  // keeps its own.
+  std::vector<int> faces_with_normals()
+  {
+    for(int f = 0; f < m_faces.size(); ++f)
+      if(height(f) > flat_height(f))
+        m_normal_face[f] = f;
+    if(std::find(m_normal_face.begin(), m_normal_face.end(), -1) == m_normal_face.end())
+      return m_normal_face;
+
+    for(int f = 0; f < m_faces.size(); ++f)
+      for(const int e : m_faces.edges[f])
+        m_faces_at[e][m_faces_at[e][0] >= 0] = f;
+    for(int f = 0; f < m_faces.size(); ++f)
+      if(m_normal_face[f] == f)
+        advance(f);
+    while(!m_front.empty())
+    {
+      const auto [length, edge, from] = m_front.top();
+      m_front.pop();
+      for(const int f : m_faces_at[edge])
+        if(f >= 0 && m_normal_face[f] < 0)
+        {
+          m_normal_face[f] = keeps_its_own(f, m_normal_face[from]) ? f : m_normal_face[from];
+          advance(f);
+        }
+    }
+    for(int f = 0; f < m_faces.size(); ++f)
+      if(m_normal_face[f] < 0)
+        m_normal_face[f] = f;
+    return m_normal_face;
+  }
+
+private:
+  const Coordinates& point(const int face, const int k) const { return m_graph.points[m_faces.vertices[face][k]]; }
+
+  double height(const int f) const { return smallest_height(point(f, 0), point(f, 1), point(f, 2)); }
+
+  double flat_height(const int f) const
+  {
+    return internal::flat_height(point(f, 0), point(f, 1), point(f, 2), m_error, m_largest_deviation);
+  }
+
+  Coordinates normal(const int f) const { return internal::normal(point(f, 0), point(f, 1), point(f, 2)); }
+
+  // A strip of a fine cylinder may be just high enough in one place and too flat in the next. Where the normals of such
+  // faces agree, they may keep them, and the cylinder stays round.
+  bool keeps_its_own(const int f, const int normal_face) const
+  {
+    return height(f) > flat_height(f) / 2 && angle_between(normal(f), normal(normal_face)) < m_largest_deviation;
+  }
+
+  // Whether the height of a face over one of its edges is too small for a normal.
+  bool lies_along(const int f, const int edge) const
+  {
+    const std::array<int, 3>& e = m_faces.edges[f];
+    const double longest = (std::max)({ m_graph.length[e[0]], m_graph.length[e[1]], m_graph.length[e[2]] });
+    return height(f) * longest <= flat_height(f) * m_graph.length[edge];
+  }
+
+  void advance(const int from)
+  {
+    for(const int e : m_faces.edges[from])
+      for(const int f : m_faces_at[e])
+        if(f >= 0 && m_normal_face[f] < 0 && lies_along(f, e))
+          m_front.push({ m_graph.length[e], e, from });
+  }
+
+  const Feature_graph& m_graph;
+  const Feature_faces& m_faces;
+  const Coordinate_error& m_error;
+  double m_largest_deviation;
+  std::vector<int> m_normal_face;
+  std::vector<std::array<int, 2> > m_faces_at; // per edge, -1 for none
+  std::priority_queue<std::tuple<double, int, int> > m_front; // length, edge, the face that it was reached from
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FLAT_FACES_H
