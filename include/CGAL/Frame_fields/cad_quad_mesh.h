@@ -25,8 +25,7 @@
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
 #include <CGAL/Frame_fields/parameters.h>
-#include <CGAL/Frame_fields/split_chords.h>
-#include <CGAL/Frame_fields/split_overconstrained_faces.h>
+#include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -169,9 +168,7 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   internal::Working_mesh mesh =
     internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  split_overconstrained_faces(mesh, prepared);
-  split_chords(mesh, prepared);
-  split_overconstrained_faces(mesh, prepared);
+  prepare_for_frame_field(mesh, prepared);
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
   internal::Cut_mesh<internal::Working_mesh, Prepared_pack> cut_mesh(mesh, prepared);
   if(const Result result = cut_mesh.build(options); !result)

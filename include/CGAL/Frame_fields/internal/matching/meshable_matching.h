@@ -76,11 +76,17 @@ public:
     }
   }
 
-  // Moves what a sector has above 0 to sectors below 0, as far as there are any.
+  // Moves what one sector has above 0 to sectors below 0, as far as there are any.
   void cancel_with_negative(const int sector)
   {
-    const auto is_negative = [this](const int s) { return m_index[s] < 0; };
-    while(m_index[sector] > 0 && move_index(sector, OUT, is_negative)) {}
+    for(int node = 0; node < m_graph.number_of_nodes(); ++node)
+    {
+      const int index = m_graph.index(node);
+      m_graph.lower_bound(node) = (std::min)(0, index);
+      m_graph.upper_bound(node) = index < 0 || m_graph.sector(node) == sector ? 0 : index;
+    }
+    for(int node = 0; node < m_graph.number_of_nodes(); ++node)
+      while(m_graph.has_too_much(node) && move_index(node, Flow::OUT)) {}
   }
 
 private:
