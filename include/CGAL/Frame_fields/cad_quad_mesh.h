@@ -168,7 +168,8 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   internal::Working_mesh mesh =
     internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  prepare_for_frame_field(mesh, prepared);
+  if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
+    return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
   internal::Cut_mesh<internal::Working_mesh, Prepared_pack> cut_mesh(mesh, prepared);
   if(const Result result = cut_mesh.build(options); !result)

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Cell_chart.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
 #include <CGAL/Frame_fields/internal/quads/place_arc_points.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -136,9 +137,12 @@ inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& c
 class Patch_assembly
 {
 public:
-  Patch_assembly(const Quad_layout& layout, const Arc_vertices& arc_vertices, const int patch, Quad_complex& complex)
+  // The unknown of piece p is `first_unknown` plus p. Where pieces have no edges, vertices are joined in `classes`.
+  Patch_assembly(const Quad_layout& layout, const Arc_vertices& arc_vertices, const int patch, const int first_unknown,
+                 Quad_complex& complex, Vertex_classes& classes)
     : m_layout(layout), m_t_mesh(layout.t_meshes[patch]), m_edges(layout.edges_of_piece[patch]), m_patch(patch)
-    , m_complex(complex), m_vertex_of_node(m_t_mesh.nodes.size(), -1), m_vertices_of_piece(m_t_mesh.pieces.size())
+    , m_first_unknown(first_unknown), m_complex(complex), m_classes(classes)
+    , m_vertex_of_node(m_t_mesh.nodes.size(), -1), m_vertices_of_piece(m_t_mesh.pieces.size())
   {
     for(std::size_t a = 0; a < layout.network.arcs.size(); ++a)
       for(int s = 0; s < 2; ++s)
@@ -172,8 +176,16 @@ public:
       for(double& offset : side->offset)
         offset = whole - offset;
     }
-    make_grid(bottom, right, top, left, chart);
+    if(bottom.vertices.size() == 1)
+      join(left, right, widest_piece(cell.sides[0]));
+    else if(left.vertices.size() == 1)
+      join(bottom, top, widest_piece(cell.sides[1]));
+    else
+      make_grid(bottom, right, top, left, chart);
   }
+
+  // The vertex at a node of the T-mesh.
+  int vertex_of_node(const int node) const { return m_vertex_of_node[node]; }
 
 private:
   // A side of a cell: its vertices from corner to corner, and how far each is from the first in the map.
@@ -262,7 +274,10 @@ private:
         if(directed.is_reversed)
           std::reverse(inner.begin(), inner.end());
         vertices.insert(vertices.end(), inner.begin(), inner.end());
-        vertices.push_back(m_vertex_of_node[piece.target]);
+        if(n > 0)
+          vertices.push_back(m_vertex_of_node[piece.target]);
+        else
+          m_classes.unite(vertices.front(), m_vertex_of_node[piece.target], m_first_unknown + directed.piece);
       }
       begin += length;
     }
@@ -293,6 +308,23 @@ private:
       }
     }
     return result;
+  }
+
+  // The unknown of the piece of a side that is longest in space.
+  int widest_piece(const std::vector<Directed_piece>& side) const
+  {
+    int widest = side.front().piece;
+    for(const Directed_piece& directed : side)
+      if(m_t_mesh.pieces[directed.piece].length > m_t_mesh.pieces[widest].length)
+        widest = directed.piece;
+    return m_first_unknown + widest;
+  }
+
+  // Joins the opposite sides of a cell that has no edges between them.
+  void join(const Side& first, const Side& second, const int unknown)
+  {
+    for(std::size_t i = 0; i < first.vertices.size(); ++i)
+      m_classes.unite(first.vertices[i], second.vertices[i], unknown);
   }
 
   // The inner vertices are where the straight lines between opposite vertices of the sides cross, so that the quads are
@@ -337,8 +369,9 @@ private:
   const Quad_layout& m_layout;
   const T_mesh& m_t_mesh;
   const std::vector<int>& m_edges; // per piece
-  int m_patch;
+  int m_patch, m_first_unknown;
   Quad_complex& m_complex;
+  Vertex_classes& m_classes;
   std::vector<int> m_vertex_of_node;
   std::vector<std::vector<int> > m_vertices_of_piece; // from source to target
 };

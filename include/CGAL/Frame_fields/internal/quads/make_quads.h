@@ -15,18 +15,13 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
-#include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
-#include <CGAL/Frame_fields/internal/quads/assemble.h>
-#include <CGAL/Frame_fields/internal/quads/layout_network.h>
-#include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
-#include <CGAL/Frame_fields/internal/quads/split_triangles.h>
-#include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -78,186 +73,6 @@ inline const char* reason_of(const T_mesh_status status)
   return "";
 }
 
-// From the T-meshes of the patches to quads. Whatever a patch lacks, quads come out: a patch is filled instead.
-class Quad_maker
-{
-public:
-  Quad_maker(const Cut_surface& surface, const Surface_embedding& embedding, const Feature_network& features,
-             const Seamless_map& map, std::vector<T_mesh>& t_meshes, const double target_edge_length)
-    : m_surface(surface), m_embedding(embedding), m_features(features), m_map(map), m_t_meshes(t_meshes)
-    , m_target_edge_length(target_edge_length)
-  {}
-
-  // Decides how many edges all pieces and arcs have. Where there are no such integers, or where quads would meet twice,
-  // bounds are raised or patches are filled; each round does one or the other, and when all are filled, all fits.
-  Quad_complex make()
-  {
-    quantize_pieces();
-    for(int round = 0; ; ++round)
-    {
-      Quad_complex complex = assemble();
-      if(m_number_of_t_meshes == 0 || !raise_bounds_of_conflicts(complex))
-        return complex;
-      if(round < maximum_number_of_rounds)
-        quantize_pieces();
-      else
-        fill_all();
-    }
-  }
-
-private:
-  static constexpr int maximum_number_of_rounds = 12;
-
-  // The cell that each quad of a patch with a T-mesh comes from.
-  struct Quad_origin
-  {
-    int patch, cell;
-  };
-
-  void quantize_pieces()
-  {
-    for(;;)
-    {
-      m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
-      m_layout = make_layout_network(m_surface, m_features, m_t_meshes, m_sides, m_target_edge_length);
-      apply_bounds();
-      m_number_of_t_meshes = 0;
-      for(const T_mesh& t_mesh : m_t_meshes)
-        m_number_of_t_meshes += !t_mesh.cells.empty();
-      const Quantization quantization = quantize(m_layout.network);
-      if(quantization.is_feasible)
-      {
-        m_value = quantization.value;
-        return;
-      }
-      fill_blocked_patches(quantization);
-    }
-  }
-
-  // Arcs beside filled patches have two quad edges per edge of the triangle mesh.
-  void apply_bounds()
-  {
-    if(m_raised.empty())
-      m_raised.assign(m_layout.network.edges.size(), 0);
-    for(std::size_t e = 0; e < m_raised.size(); ++e)
-      m_layout.network.edges[e].lower_bound = (std::max)(m_layout.network.edges[e].lower_bound, m_raised[e]);
-    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
-      if(is_beside_filled_patch(m_sides, static_cast<int>(a)))
-      {
-        Bidirected_edge& arc = m_layout.network.edges[m_layout.first_arc + a];
-        arc.lower_bound = arc.upper_bound = 2 * static_cast<int>(m_features.arcs[a].halfedges.size());
-      }
-  }
-
-  void fill_patch(const int patch)
-  {
-    m_t_meshes[patch] = T_mesh();
-    m_raised.clear(); // the unknowns are others now
-  }
-
-  void fill_all()
-  {
-    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
-      fill_patch(static_cast<int>(patch));
-    quantize_pieces();
-  }
-
-  // Fills the patches that have, or whose arcs have, unknowns without a solution; all if there are none.
-  void fill_blocked_patches(const Quantization& quantization)
-  {
-    std::vector<char> is_blocked(m_t_meshes.size(), 0);
-    for(const std::vector<int>* const edges : { &quantization.unattainable, &quantization.conflicting })
-      for(const int e : *edges)
-      {
-        if(e < m_layout.first_arc)
-          is_blocked[patch_of_piece(e)] = 1;
-        else
-          for(const Arc_side& side : m_sides[e - m_layout.first_arc])
-            if(side.patch >= 0)
-              is_blocked[side.patch] = 1;
-      }
-    bool is_any_filled = false;
-    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
-      if(is_blocked[patch] && !m_t_meshes[patch].cells.empty())
-      {
-        fill_patch(static_cast<int>(patch));
-        is_any_filled = true;
-      }
-    if(!is_any_filled)
-      for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
-        fill_patch(static_cast<int>(patch));
-  }
-
-  int patch_of_piece(const int unknown) const
-  {
-    const auto after = std::upper_bound(m_layout.first_piece.begin(), m_layout.first_piece.end(), unknown);
-    return static_cast<int>(after - m_layout.first_piece.begin()) - 1;
-  }
-
-  Quad_complex assemble()
-  {
-    std::vector<std::vector<int> > edges_of_piece(m_t_meshes.size());
-    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
-    {
-      const auto first = m_value.begin() + m_layout.first_piece[patch];
-      edges_of_piece[patch].assign(first, first + static_cast<std::ptrdiff_t>(m_t_meshes[patch].pieces.size()));
-    }
-    const std::vector<int> edges_of_arc(m_value.begin() + m_layout.first_arc, m_value.end());
-    const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sides, edges_of_piece,
-                              edges_of_arc };
-    Quad_complex complex;
-    const Arc_vertices arc_vertices = make_arc_vertices(layout, complex);
-    m_origin.clear();
-    for(std::size_t p = 0; p < m_t_meshes.size(); ++p)
-    {
-      const int patch = static_cast<int>(p);
-      if(m_t_meshes[p].cells.empty())
-      {
-        split_triangles_of_patch(layout, patch, complex);
-        m_origin.resize(complex.quads.size(), { patch, -1 });
-        continue;
-      }
-      Patch_assembly assembly(layout, arc_vertices, patch, complex);
-      for(std::size_t cell = 0; cell < m_t_meshes[p].cells.size(); ++cell)
-      {
-        assembly.fill_cell(m_t_meshes[p].cells[cell]);
-        m_origin.resize(complex.quads.size(), { patch, static_cast<int>(cell) });
-      }
-    }
-    return complex;
-  }
-
-  // Asks for more edges where sides of quads contradict each other. Returns whether there are such sides.
-  bool raise_bounds_of_conflicts(const Quad_complex& complex)
-  {
-    const std::vector<int> conflicts = connect_quads(complex).conflicts;
-    for(const int side : conflicts)
-    {
-      const Quad_origin origin = m_origin[side / 4];
-      if(origin.cell < 0)
-        continue;
-      // Sides 0 and 2 of a quad run along sides 0 and 2 of its cell.
-      const std::vector<Directed_piece>& pieces = m_t_meshes[origin.patch].cells[origin.cell].sides[side % 2];
-      const int unknown = m_layout.first_piece[origin.patch] + pieces.front().piece;
-      m_raised[unknown] = (std::max)(m_raised[unknown], m_value[unknown] + 1);
-    }
-    return !conflicts.empty();
-  }
-
-  const Cut_surface& m_surface;
-  const Surface_embedding& m_embedding;
-  const Feature_network& m_features;
-  const Seamless_map& m_map;
-  std::vector<T_mesh>& m_t_meshes;
-  double m_target_edge_length;
-  Arc_sides m_sides;
-  Layout_network m_layout;
-  std::vector<int> m_raised;     // per unknown: a lower bound that the quads ask for
-  std::vector<int> m_value;      // per unknown
-  int m_number_of_t_meshes = 0;
-  std::vector<Quad_origin> m_origin; // per quad
-};
-
 // The number of quads asked for as an edge length, or the other way round.
 inline double surface_area(const Cut_surface& surface)
 {
@@ -297,7 +112,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
 
   clock.start(Quad_stage::QUANTIZATION);
   Quad_complex complex =
-    Quad_maker(surface, embedding, features, map, t_meshes, target_edge_length).make();
+    Quad_maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length).make();
 
   clock.start(Quad_stage::SMOOTHING);
   smooth(complex, surface, embedding, features);

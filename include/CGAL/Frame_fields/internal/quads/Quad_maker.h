@@ -1,0 +1,398 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_MAKER_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_MAKER_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/arc_sides.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
+#include <CGAL/Frame_fields/internal/quads/assemble.h>
+#include <CGAL/Frame_fields/internal/quads/Expected_valence.h>
+#include <CGAL/Frame_fields/internal/quads/layout_network.h>
+#include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
+#include <CGAL/Frame_fields/internal/quads/split_triangles.h>
+#include <CGAL/Frame_fields/internal/quantization/quantize.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Removes the vertices of no quad; the order of the others stays.
+inline void remove_unused_vertices(Quad_complex& complex)
+{
+  std::vector<int> number(complex.vertices.size(), 0);
+  for(const std::array<int, 4>& quad : complex.quads)
+    for(const int v : quad)
+      number[v] = 1;
+  int number_of_vertices = 0;
+  for(std::size_t v = 0; v < number.size(); ++v)
+    if(number[v] != 0)
+    {
+      complex.vertices[number_of_vertices] = complex.vertices[v];
+      number[v] = number_of_vertices++;
+    }
+  complex.vertices.resize(number_of_vertices);
+  for(std::array<int, 4>& quad : complex.quads)
+    for(int& v : quad)
+      v = number[v];
+  for(std::vector<int>& arc : complex.arcs)
+    for(int& v : arc)
+      v = number[v];
+}
+
+// From the T-meshes of the patches to quads.
+//
+// Pieces inside patches and on their sides may get no edges, so that tiny ones cost no quads. Then vertices coincide,
+// and the quads may be no mesh any more, or one with other irregular vertices. So each round checks what came out, and
+// raises the bounds of the pieces at fault. Where there are no such integers a patch is filled. Each round does one or
+// the other, and when all patches are filled, all fits.
+class Quad_maker
+{
+public:
+  // Empties the T-meshes of the patches that are filled.
+  Quad_maker(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
+             const Feature_network& features, const Seamless_map& map, std::vector<T_mesh>& t_meshes,
+             const double target_edge_length)
+    : m_surface(surface), m_embedding(embedding), m_index(index), m_features(features), m_map(map)
+    , m_t_meshes(t_meshes), m_target_edge_length(target_edge_length), m_valence(surface, embedding, index)
+  {
+    reset_bounds();
+  }
+
+  Quad_complex make()
+  {
+    for(int round = 0; ; ++round)
+    {
+      quantize_pieces();
+      Quad_complex complex = assemble();
+      if(!find_faults(complex))
+      {
+        remove_unused_vertices(complex);
+        return complex;
+      }
+      if(m_patch_to_fill >= 0)
+        fill_patch(m_patch_to_fill);
+      m_patch_to_fill = -1;
+      if(round == number_of_rounds_with_empty_pieces)
+        forbid_empty_pieces();
+      if(round >= maximum_number_of_rounds)
+        fill_all();
+    }
+  }
+
+private:
+  static constexpr int number_of_rounds_with_empty_pieces = 60;
+  static constexpr int maximum_number_of_rounds = 80;
+
+  // The cell that each quad of a patch with a T-mesh comes from.
+  struct Quad_origin
+  {
+    int patch, cell;
+  };
+
+  // The unknowns depend on which patches have T-meshes.
+  void reset_bounds()
+  {
+    m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
+    m_layout = make_layout_network(m_surface, m_features, m_t_meshes, m_sides, m_target_edge_length);
+    m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
+    for(int e = 0; e < m_layout.first_arc; ++e)
+      m_layout.network.edges[e].lower_bound = m_forbids_empty_pieces ? 1 : 0;
+    // Arcs beside filled patches have two quad edges per edge of the triangle mesh.
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+      if(is_beside_filled_patch(m_sides, static_cast<int>(a)))
+      {
+        Bidirected_edge& arc = m_layout.network.edges[m_layout.first_arc + a];
+        arc.lower_bound = arc.upper_bound = 2 * static_cast<int>(m_features.arcs[a].halfedges.size());
+      }
+  }
+
+  bool has_t_meshes() const
+  {
+    return std::any_of(m_t_meshes.begin(), m_t_meshes.end(), [](const T_mesh& mesh) { return !mesh.cells.empty(); });
+  }
+
+  void forbid_empty_pieces()
+  {
+    m_forbids_empty_pieces = true;
+    reset_bounds();
+  }
+
+  void fill_patch(const int patch)
+  {
+    m_t_meshes[patch] = T_mesh();
+    reset_bounds();
+  }
+
+  void fill_all()
+  {
+    m_t_meshes.assign(m_t_meshes.size(), T_mesh());
+    reset_bounds();
+  }
+
+  void quantize_pieces()
+  {
+    for(;;)
+    {
+      const Quantization quantization = quantize(m_layout.network);
+      m_value = quantization.value;
+      if(quantization.is_feasible)
+        return;
+      std::vector<int> blocked = quantization.unattainable;
+      blocked.insert(blocked.end(), quantization.conflicting.begin(), quantization.conflicting.end());
+      if(!lower_raised_bounds(blocked))
+        fill_blocked_patch(blocked);
+    }
+  }
+
+  // Lets pieces be empty again that cannot be otherwise. Returns whether there are any.
+  bool lower_raised_bounds(const std::vector<int>& blocked)
+  {
+    bool is_any_lowered = false;
+    for(const int e : blocked)
+      if(e < m_layout.first_arc && m_layout.network.edges[e].lower_bound > 0 && !m_forbids_empty_pieces)
+      {
+        m_layout.network.edges[e].lower_bound = 0;
+        m_cannot_be_raised[e] = 1;
+        is_any_lowered = true;
+      }
+    return is_any_lowered;
+  }
+
+  // Of the patches with T-meshes that have, or whose arcs have, unknowns without a solution, fills the smallest; if
+  // there are none, all.
+  void fill_blocked_patch(const std::vector<int>& blocked)
+  {
+    int smallest = -1;
+    const auto consider = [&](const int patch)
+    {
+      if(patch >= 0 && !m_t_meshes[patch].cells.empty()
+         && (smallest < 0 || m_surface.patches[patch].faces.size() < m_surface.patches[smallest].faces.size()))
+        smallest = patch;
+    };
+    for(const int e : blocked)
+      if(e < m_layout.first_arc)
+        consider(patch_of_piece(e));
+      else
+        for(const Arc_side& side : m_sides[e - m_layout.first_arc])
+          consider(side.patch);
+    if(smallest >= 0)
+      fill_patch(smallest);
+    else
+      fill_all();
+  }
+
+  int patch_of_piece(const int unknown) const
+  {
+    // Patches without pieces have the same first unknown as the patch after them.
+    const auto after = std::upper_bound(m_layout.first_piece.begin(), m_layout.first_piece.end(), unknown);
+    return static_cast<int>(after - m_layout.first_piece.begin()) - 1;
+  }
+
+  Quad_complex assemble()
+  {
+    std::vector<std::vector<int> > edges_of_piece(m_t_meshes.size());
+    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
+    {
+      const auto first = m_value.begin() + m_layout.first_piece[patch];
+      edges_of_piece[patch].assign(first, first + static_cast<std::ptrdiff_t>(m_t_meshes[patch].pieces.size()));
+    }
+    const std::vector<int> edges_of_arc(m_value.begin() + m_layout.first_arc, m_value.end());
+    const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sides, edges_of_piece,
+                              edges_of_arc };
+    Quad_complex complex;
+    m_classes = Vertex_classes();
+    m_origin.clear();
+    m_singular_sector.clear();
+    const Arc_vertices arc_vertices = make_arc_vertices(layout, complex);
+    for(std::size_t p = 0; p < m_t_meshes.size(); ++p)
+    {
+      const int patch = static_cast<int>(p);
+      if(m_t_meshes[p].cells.empty())
+      {
+        split_triangles_of_patch(layout, patch, complex);
+        m_origin.resize(complex.quads.size(), { patch, -1 });
+        continue;
+      }
+      Patch_assembly assembly(layout, arc_vertices, patch, m_layout.first_piece[p], complex, m_classes);
+      for(std::size_t cell = 0; cell < m_t_meshes[p].cells.size(); ++cell)
+      {
+        assembly.fill_cell(m_t_meshes[p].cells[cell]);
+        m_origin.resize(complex.quads.size(), { patch, static_cast<int>(cell) });
+      }
+      note_singular_vertices(m_t_meshes[p], assembly, complex);
+    }
+    m_singular_sector.resize(complex.vertices.size(), -1);
+    return complex;
+  }
+
+  void note_singular_vertices(const T_mesh& t_mesh, const Patch_assembly& assembly, const Quad_complex& complex)
+  {
+    m_singular_sector.resize(complex.vertices.size(), -1);
+    for(std::size_t n = 0; n < t_mesh.nodes.size(); ++n)
+    {
+      const int s = t_mesh.nodes[n].sector;
+      if(s >= 0 && !m_surface.is_constrained_sector(s) && m_index[s] != 0)
+        m_singular_sector[assembly.vertex_of_node(static_cast<int>(n))] = s;
+    }
+  }
+
+  // Whether a vertex must not coincide with another one of its kind.
+  bool is_critical(const Quad_complex& complex, const int v) const
+  {
+    return complex.vertices[v].vertex >= 0 || complex.vertices[v].arc >= 0 || m_singular_sector[v] >= 0;
+  }
+
+  // Joins the vertices that coincide. Returns whether anything was found that must not be, after changing the bounds.
+  bool find_faults(Quad_complex& complex)
+  {
+    const std::vector<int> representative =
+      m_classes.representatives(static_cast<int>(complex.vertices.size()));
+    if(separate_critical_vertices(complex, representative))
+      return true;
+    join_vertices(complex, representative);
+    if(!has_t_meshes())
+      return false;
+    const std::vector<int> conflicts = connect_quads(complex).conflicts;
+    if(!conflicts.empty())
+    {
+      for(const int side : conflicts)
+        raise_cell_of(side);
+      return true;
+    }
+    return raise_at_wrong_valences(complex, representative);
+  }
+
+  bool separate_critical_vertices(const Quad_complex& complex, const std::vector<int>& representative)
+  {
+    std::vector<int> critical(complex.vertices.size(), -1); // per class
+    std::vector<std::pair<int, int> > pairs;
+    for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    {
+      if(!is_critical(complex, static_cast<int>(v)))
+        continue;
+      int& first = critical[representative[v]];
+      if(first < 0)
+        first = static_cast<int>(v);
+      else
+        pairs.push_back({ first, static_cast<int>(v) });
+    }
+    for(const std::pair<int, int>& pair : pairs)
+      raise_longest(m_classes.unknowns_between(pair.first, pair.second));
+    return !pairs.empty();
+  }
+
+  // Gives at least one edge to the longest of the pieces that can have one. If none can, fills the patch of the first.
+  void raise_longest(const std::vector<int>& unknowns)
+  {
+    int longest = -1;
+    for(const int e : unknowns)
+      if(!m_cannot_be_raised[e]
+         && (longest < 0 || m_layout.network.edges[e].target > m_layout.network.edges[longest].target))
+        longest = e;
+    if(longest >= 0)
+      m_layout.network.edges[longest].lower_bound = (std::max)(1, m_layout.network.edges[longest].lower_bound);
+    else if(!unknowns.empty() && m_patch_to_fill < 0)
+      m_patch_to_fill = patch_of_piece(unknowns.front());
+  }
+
+  // Sides 0 and 2 of a quad run along sides 0 and 2 of its cell.
+  void raise_cell_of(const int side)
+  {
+    const Quad_origin origin = m_origin[side / 4];
+    if(origin.cell < 0)
+      return;
+    const std::vector<Directed_piece>& pieces = m_t_meshes[origin.patch].cells[origin.cell].sides[side % 2];
+    const int unknown = m_layout.first_piece[origin.patch] + pieces.front().piece;
+    int& bound = m_layout.network.edges[unknown].lower_bound;
+    bound = (std::max)(bound, m_value[unknown] + 1);
+  }
+
+  // Puts the representative of its class in the place of each vertex, with the freedom of the critical one.
+  void join_vertices(Quad_complex& complex, const std::vector<int>& representative)
+  {
+    if(m_classes.is_empty())
+      return;
+    for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+      if(is_critical(complex, static_cast<int>(v)) && representative[v] != static_cast<int>(v))
+      {
+        complex.vertices[representative[v]] = complex.vertices[v];
+        m_singular_sector[representative[v]] = m_singular_sector[v];
+      }
+    for(std::array<int, 4>& quad : complex.quads)
+      for(int& v : quad)
+        v = representative[v];
+    for(std::vector<int>& arc : complex.arcs)
+      for(int& v : arc)
+        v = representative[v];
+  }
+
+  bool raise_at_wrong_valences(const Quad_complex& complex, const std::vector<int>& representative)
+  {
+    std::vector<int> valence(complex.vertices.size(), 0);
+    std::vector<char> is_filled(complex.vertices.size(), 0);
+    for(std::size_t q = 0; q < complex.quads.size(); ++q)
+      for(const int v : complex.quads[q])
+      {
+        ++valence[v];
+        is_filled[v] = is_filled[v] || m_origin[q].cell < 0;
+      }
+    bool is_any_wrong = false;
+    for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    {
+      const int expected = m_valence.of(complex.vertices[v], m_singular_sector[v], m_features);
+      if(valence[v] == 0 || is_filled[v] || valence[v] == expected)
+        continue;
+      const std::vector<int> unknowns = m_classes.unknowns_of_class(representative, static_cast<int>(v));
+      if(unknowns.empty())
+        continue; // a neighbor of a class that is at fault
+      raise_longest(unknowns);
+      is_any_wrong = true;
+    }
+    return is_any_wrong;
+  }
+
+  const Cut_surface& m_surface;
+  const Surface_embedding& m_embedding;
+  const std::vector<int>& m_index;
+  const Feature_network& m_features;
+  const Seamless_map& m_map;
+  std::vector<T_mesh>& m_t_meshes;
+  double m_target_edge_length;
+  Expected_valence m_valence;
+  bool m_forbids_empty_pieces = false;
+  Arc_sides m_sides;
+  Layout_network m_layout;
+  std::vector<char> m_cannot_be_raised; // per unknown: with its bound at 1 there is no solution
+  std::vector<int> m_value;             // per unknown
+  Vertex_classes m_classes;
+  std::vector<Quad_origin> m_origin;    // per quad
+  std::vector<int> m_singular_sector;   // per vertex: the closed singular sector it is at, -1 if there is none
+  int m_patch_to_fill = -1;
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_MAKER_H
