@@ -135,7 +135,8 @@ Quad_complex scattered(const Quad_surface& s, const Quads& quads, const double s
       v.arc = s.network.arc[h];
       const Feature_arc& arc = s.network.arcs[v.arc];
       const double n = static_cast<double>(arc.halfedges.size());
-      v.position = s.network.place[h] + (arc.halfedges[s.network.place[h]] == h) + 0.9 * (std::min)(1., 0.5 / shift) * dx;
+      const int end = s.network.place[h] + (arc.halfedges[s.network.place[h]] == h);
+      v.position = end + 0.9 * (std::min)(1., 0.5 / shift) * dx;
       v.position += v.position < 0 ? n : v.position >= n && arc.is_loop ? -n : 0;
       v.location = s.location_on_arc(v.arc, v.position);
     }
