@@ -115,9 +115,9 @@ private:
     {
       const Coordinates& source = target(previous_of(h));
       const Coordinates e = scaled(source, target(h)), f = scaled(source, target(next_of(h)));
-      const double length_of_edge = length(e);
+      const double length_of_edge = std::sqrt(dot(e, e));
       const Coordinates normal = cross(e, f);
-      const double twice_area = length(normal);
+      const double twice_area = std::sqrt(dot(normal, normal));
       m_chart[h] = { length_of_edge, length_of_edge > 0 ? dot(e, f) / length_of_edge : 0,
                      length_of_edge > 0 ? twice_area / length_of_edge : 0 };
       if(twice_area > 0)

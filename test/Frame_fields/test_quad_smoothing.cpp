@@ -1,0 +1,494 @@
+#include "test_quad_surface.h"
+
+#include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Measures of quads, walks on the surface, and smoothing.
+namespace {
+
+using namespace test;
+
+typedef std::vector<std::array<int, 4> > Quads;
+
+// The sine of each corner's angle, seen along the quad's principal axes; written down apart from the library.
+double scaled_jacobian(const std::array<Coordinates, 4>& p)
+{
+  std::array<double, 3> x, y;
+  for(int i = 0; i < 3; ++i)
+  {
+    x[i] = (p[1][i] + p[2][i]) / 2 - (p[0][i] + p[3][i]) / 2;
+    y[i] = (p[2][i] + p[3][i]) / 2 - (p[0][i] + p[1][i]) / 2;
+  }
+  const auto determinant = [](const std::array<double, 3>& a, const std::array<double, 3>& b,
+                              const std::array<double, 3>& c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  std::array<double, 3> n{ x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0] };
+  const double norm = std::hypot(n[0], n[1], n[2]);
+  double least = 1;
+  for(int k = 0; k < 4; ++k)
+  {
+    std::array<double, 3> a, b;
+    for(int i = 0; i < 3; ++i)
+    {
+      a[i] = p[(k + 1) % 4][i] - p[k][i];
+      b[i] = p[(k + 3) % 4][i] - p[k][i];
+    }
+    const double lengths = std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
+    least = (std::min)(least, norm > 0 && lengths > 0 ? determinant(a, b, n) / (lengths * norm) : 0);
+  }
+  return least;
+}
+
+std::array<Coordinates, 4> corners(const std::vector<Coordinates>& points, const std::array<int, 4>& quad)
+{
+  return { points[quad[0]], points[quad[1]], points[quad[2]], points[quad[3]] };
+}
+
+// The least one of all quads; negative for one that lies on its face, where `normal` tells what is up.
+double worst(const Quad_surface& s, const Quad_complex& complex,
+             const std::function<Coordinates(const Coordinates&)>& normal)
+{
+  const std::vector<Coordinates> points = s.points(complex);
+  double result = 1;
+  for(const std::array<int, 4>& quad : complex.quads)
+  {
+    const std::array<Coordinates, 4> p = corners(points, quad);
+    Coordinates middle;
+    for(int i = 0; i < 3; ++i)
+      middle[i] = (p[0][i] + p[1][i] + p[2][i] + p[3][i]) / 4;
+    Coordinates diagonal, other;
+    for(int i = 0; i < 3; ++i)
+    {
+      diagonal[i] = p[2][i] - p[0][i];
+      other[i] = p[3][i] - p[1][i];
+    }
+    const double jacobian = scaled_jacobian(p);
+    const bool is_upside_down = dot(cross(diagonal, other), normal(middle)) < 0;
+    result = (std::min)(result, is_upside_down ? (std::min)(jacobian, -jacobian) : jacobian);
+  }
+  return result;
+}
+
+Quads grid_quads(const int m, const int n)
+{
+  Quads result;
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < m; ++i)
+    {
+      const int a = j * (m + 1) + i;
+      result.push_back({ a, a + 1, a + m + 2, a + m + 1 });
+    }
+  return result;
+}
+
+Quads ring_quads(const int n, const int number_of_rings)
+{
+  Quads result;
+  for(int r = 0; r < number_of_rings; ++r)
+    for(int i = 0; i < n; ++i)
+      result.push_back({ r * n + i, (r + 1) * n + i, (r + 1) * n + (i + 1) % n, r * n + (i + 1) % n });
+  return result;
+}
+
+// A vertex of the quads at each vertex of the surface, moved at random: along its arc by up to `shift` (below 1/2) of
+// an edge, else on its patch by up to `shift` in each direction.
+Quad_complex scattered(const Quad_surface& s, const Quads& quads, const double shift, const unsigned seed)
+{
+  std::mt19937 generator(seed);
+  const auto random = [&] { return shift * (2 * (generator() / 4294967296.) - 1); };
+  const Surface_walker walker(s.surface, s.embedding);
+  std::vector<int> corner(s.embedding.point.size(), -1);
+  for(int h = 0; h < s.surface.number_of_halfedges(); ++h)
+    if(corner[s.target(h)] < 0 || s.surface.is_constrained(h))
+      corner[s.target(h)] = h;
+  Quad_complex complex;
+  for(std::size_t i = 0; i < s.embedding.point.size(); ++i)
+  {
+    const int h = corner[i];
+    Quad_vertex v;
+    v.location.face = face_of(h);
+    v.location.barycentric = { 0, 0, 0 };
+    v.location.barycentric[h % 3] = 1;
+    const double dx = random(), dy = random(), dz = random();
+    if(s.network.is_node[i])
+      v.vertex = static_cast<int>(i);
+    else if(s.surface.is_constrained(h))
+    {
+      v.arc = s.network.arc[h];
+      const Feature_arc& arc = s.network.arcs[v.arc];
+      const double n = static_cast<double>(arc.halfedges.size());
+      const int end = s.network.place[h] + (arc.halfedges[s.network.place[h]] == h);
+      v.position = end + 0.9 * (std::min)(1., 0.5 / shift) * dx;
+      v.position += v.position < 0 ? n : v.position >= n && arc.is_loop ? -n : 0;
+      v.location = s.location_on_arc(v.arc, v.position);
+    }
+    else
+    {
+      v.patch = s.patch_of(v.location.face);
+      walker.walk(v.location, { dx, dy, dz });
+    }
+    complex.vertices.push_back(v);
+  }
+  complex.quads = quads;
+  for(const std::array<int, 4>& quad : quads)
+  {
+    complex.patch.push_back(0);
+    for(const int v : quad)
+      complex.patch.back() = (std::max)(complex.patch.back(), complex.vertices[v].patch);
+  }
+  return complex;
+}
+
+void expect_valid_location(const Surface_location& location)
+{
+  double sum = 0;
+  for(const double w : location.barycentric)
+  {
+    EXPECT_GE(w, 0);
+    sum += w;
+  }
+  EXPECT_NEAR(sum, 1, 1e-14);
+}
+
+// Every vertex is where it may be, and the quads are the same.
+void expect_same_but_for_slides(const Quad_surface& s, const Quad_complex& before, const Quad_complex& after)
+{
+  EXPECT_EQ(before.quads, after.quads);
+  EXPECT_EQ(before.patch, after.patch);
+  ASSERT_EQ(before.vertices.size(), after.vertices.size());
+  std::map<int, std::vector<std::pair<double, double> > > positions; // per arc: before and after
+  for(std::size_t i = 0; i < before.vertices.size(); ++i)
+  {
+    const Quad_vertex& v = before.vertices[i];
+    const Quad_vertex& w = after.vertices[i];
+    EXPECT_EQ(v.vertex, w.vertex);
+    EXPECT_EQ(v.arc, w.arc);
+    EXPECT_EQ(v.patch, w.patch);
+    expect_valid_location(w.location);
+    if(v.vertex >= 0)
+    {
+      EXPECT_EQ(v.location.face, w.location.face);
+      EXPECT_EQ(v.location.barycentric, w.location.barycentric);
+    }
+    else if(v.arc >= 0)
+    {
+      EXPECT_GE(w.position, 0);
+      EXPECT_LE(w.position, static_cast<double>(s.network.arcs[v.arc].halfedges.size()));
+      positions[v.arc].push_back({ v.position, w.position });
+      EXPECT_LT(distance(s.point(w.location), s.point(s.location_on_arc(v.arc, w.position))), 1e-12);
+    }
+    else
+      EXPECT_EQ(v.patch, s.patch_of(w.location.face));
+  }
+  for(auto& [arc, list] : positions)
+  {
+    std::sort(list.begin(), list.end());
+    int number_of_descents = 0; // once around a loop there is one, unless the least is the first one still
+    for(std::size_t i = 0; i < list.size(); ++i)
+      number_of_descents += list[i].second >= list[(i + 1) % list.size()].second;
+    EXPECT_EQ(number_of_descents, 1) << arc;
+    if(!s.network.arcs[arc].is_loop)
+    {
+      EXPECT_LT(list.front().second, list.back().second + (list.size() == 1));
+    }
+  }
+}
+
+struct Smoothing_case
+{
+  std::string name;
+  Quad_surface surface;
+  Quads quads;
+  std::function<Coordinates(const Coordinates&)> normal;
+};
+
+Coordinates up(const Coordinates&) { return { 0, 0, 1 }; }
+
+// A square with features on two lines, a half cylinder, an annulus.
+std::vector<Smoothing_case> smoothing_cases()
+{
+  std::vector<Smoothing_case> result;
+  const int n = 12;
+  const Soup square = grid(n, n, 0.15);
+  std::set<Vertex_pair> lines;
+  for(int i = 0; i < n; ++i)
+  {
+    lines.insert({ i * (n + 1) + 5, (i + 1) * (n + 1) + 5 });
+    if(i < 7)
+      lines.insert({ 5 * (n + 1) + i, 5 * (n + 1) + i + 1 }); // ends inside: a slit from the crossing
+  }
+  result.push_back({ "square", make_surface(square.points, square.triangles, lines), grid_quads(n, n), up });
+  const Soup cylinder = bent(grid(n, n), n, CGAL_PI);
+  result.push_back({ "half_cylinder", make_surface(cylinder.points, cylinder.triangles), grid_quads(n, n),
+                     [](const Coordinates& p) { return Coordinates{ p[0], 0, p[2] }; } });
+  const Soup annulus = rings(24, 5, 4, 9);
+  result.push_back({ "annulus", make_surface(annulus.points, annulus.triangles), ring_quads(24, 5), up });
+  return result;
+}
+
+TEST(Quad_smoothing, surfaces_of_the_tests_are_what_they_should_be)
+{
+  const std::vector<Smoothing_case> cases = smoothing_cases();
+  EXPECT_EQ(cases[0].surface.surface.patches.size(), 3u); // the slit separates only to the left of the crossing
+  EXPECT_EQ(cases[0].surface.network.arcs.size(), 11u);
+  EXPECT_EQ(cases[1].surface.network.arcs.size(), 4u);
+  ASSERT_EQ(cases[2].surface.network.arcs.size(), 2u);
+  EXPECT_TRUE(cases[2].surface.network.arcs[0].is_loop);
+}
+
+TEST(Quad_smoothing, worst_quad_never_gets_worse_and_vertices_stay_where_they_may_be)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+    for(unsigned seed = 0; seed < 12; ++seed)
+    {
+      SCOPED_TRACE(c.name + " " + std::to_string(seed));
+      const Quad_complex before = scattered(c.surface, c.quads, 0.1 + 0.08 * seed, seed);
+      Quad_complex after = before;
+      const Smoothing_report report = smooth(after, c.surface.surface, c.surface.embedding, c.surface.network);
+      const double old_worst = worst(c.surface, before, c.normal), new_worst = worst(c.surface, after, c.normal);
+      expect_same_but_for_slides(c.surface, before, after);
+      EXPECT_GE(new_worst, old_worst);
+      EXPECT_NEAR(report.worst_after, new_worst, 1e-9);
+      EXPECT_EQ(report.inverted_after, 0);
+      EXPECT_GT(new_worst, 0.5);
+    }
+}
+
+TEST(Quad_smoothing, no_step_alone_makes_the_worst_quad_worse)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+    for(unsigned seed = 0; seed < 12; ++seed)
+    {
+      SCOPED_TRACE(c.name + " " + std::to_string(seed));
+      Quad_complex complex = scattered(c.surface, c.quads, 0.1 + 0.08 * seed, seed);
+      for(int step = 0; step < 6; ++step)
+      {
+        const double old_worst = worst(c.surface, complex, c.normal);
+        Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+        if(step % 3 == 0)
+          Distortion_sweeps(quads, 0.6).run(1);
+        else if(step % 3 == 1)
+          improve_worst_quads(quads, 0.5);
+        else
+          untangle_quads(quads);
+        EXPECT_GE(worst(c.surface, complex, c.normal), old_worst - 1e-14) << step;
+      }
+    }
+}
+
+// Squares are the least distorted quads, and here they fit.
+TEST(Quad_smoothing, squares_come_back)
+{
+  const Soup soup = grid(12, 12, 0.25);
+  const Quad_surface s = make_surface(soup.points, soup.triangles);
+  Quad_complex complex = scattered(s, grid_quads(12, 12), 0.4, 7);
+  smooth(complex, s.surface, s.embedding, s.network);
+  const std::vector<Coordinates> points = s.points(complex);
+  for(int j = 0; j <= 12; ++j)
+    for(int i = 0; i <= 12; ++i)
+      EXPECT_LT(distance(points[j * 13 + i], { double(i), double(j), 0 }), 0.05) << i << " " << j;
+}
+
+TEST(Quad_smoothing, thin_rows_become_wider)
+{
+  const Soup soup = grid(12, 12);
+  const Quad_surface s = make_surface(soup.points, soup.triangles);
+  Quad_complex complex = scattered(s, grid_quads(12, 12), 0.01, 7);
+  const Surface_walker walker(s.surface, s.embedding);
+  for(int j = 1; j < 12; ++j)
+    walker.walk(complex.vertices[j * 13 + 1].location, { -0.85, 0, 0 }); // the first column is thin
+  smooth(complex, s.surface, s.embedding, s.network);
+  EXPECT_GT(s.points(complex)[6 * 13 + 1][0], 0.9);
+}
+
+TEST(Quad_smoothing, result_is_the_same_every_time)
+{
+  const Smoothing_case c = smoothing_cases()[0];
+  Quad_complex first = scattered(c.surface, c.quads, 0.7, 5), second = first;
+  smooth(first, c.surface.surface, c.surface.embedding, c.surface.network);
+  smooth(second, c.surface.surface, c.surface.embedding, c.surface.network);
+  for(std::size_t v = 0; v < first.vertices.size(); ++v)
+  {
+    EXPECT_EQ(first.vertices[v].location.face, second.vertices[v].location.face);
+    EXPECT_EQ(first.vertices[v].location.barycentric, second.vertices[v].location.barycentric);
+  }
+}
+
+// A quad whose four vertices are fixed in the wrong order stays inverted, and is counted.
+TEST(Quad_smoothing, what_cannot_be_untangled_is_counted)
+{
+  const Soup soup = grid(2, 1);
+  const Quad_surface s = make_surface(soup.points, soup.triangles);
+  Quad_complex complex = scattered(s, grid_quads(2, 1), 0.1, 1);
+  complex.quads[0] = { 0, 3, 4, 1 }; // clockwise
+  Smoothing_report report = smooth(complex, s.surface, s.embedding, s.network);
+  EXPECT_EQ(report.inverted_before, 1);
+  EXPECT_EQ(report.inverted_after, 1);
+  EXPECT_LT(report.worst_after, 0);
+  complex.quads.clear();
+  complex.patch.clear();
+  report = smooth(complex, s.surface, s.embedding, s.network);
+  EXPECT_EQ(report.inverted_after, 0);
+}
+
+TEST(Surface_walker, walks_straight_in_a_plane)
+{
+  const Soup soup = grid(12, 12, 0.3);
+  const Quad_surface s = make_surface(soup.points, soup.triangles);
+  const Surface_walker walker(s.surface, s.embedding);
+  std::mt19937 generator(1);
+  const auto random = [&] { return generator() / 4294967296.; };
+  for(int i = 0; i < 1000; ++i)
+  {
+    // From points inside faces, on edges, and at vertices.
+    Surface_location location = s.locate(2 + 8 * random(), 2 + 8 * random());
+    if(i % 3 == 1)
+      location.barycentric = { 0.5, 0.5, 0 };
+    if(i % 3 == 2)
+      location.barycentric = { 0, 1, 0 };
+    const Coordinates p = s.point(location);
+    const Coordinates goal{ 0.5 + 11 * random(), 0.5 + 11 * random(), 0 };
+    EXPECT_TRUE(walker.walk(location, { goal[0] - p[0], goal[1] - p[1], 5 })); // what is not tangential is left out
+    expect_valid_location(location);
+    EXPECT_LT(distance(s.point(location), goal), 1e-12);
+  }
+}
+
+// Unfolding a developable surface gives the plane.
+TEST(Surface_walker, walks_on_a_cylinder_as_in_the_plane)
+{
+  const Soup plane = grid(12, 12), cylinder = bent(plane, 12, CGAL_PI);
+  const Quad_surface flat = make_surface(plane.points, plane.triangles);
+  const Quad_surface round = make_surface(cylinder.points, cylinder.triangles);
+  const Surface_walker flat_walker(flat.surface, flat.embedding), round_walker(round.surface, round.embedding);
+  const double chord = distance(cylinder.points[0], cylinder.points[1]); // a strip is narrower than in the plane
+  std::mt19937 generator(1);
+  const auto random = [&] { return 2 * (generator() / 4294967296.) - 1; };
+  for(int i = 0; i < 1000; ++i)
+  {
+    Surface_location on_flat = flat.locate(6 + 3 * random(), 6 + 3 * random());
+    Surface_location on_round = on_flat;
+    const double dx = 3 * random(), dy = 3 * random();
+    const int h = 3 * on_flat.face;
+    const Coordinates& n = round_walker.normal(on_flat.face);
+    EXPECT_TRUE(flat_walker.walk(on_flat, { dx, dy, 0 }));
+    EXPECT_TRUE(round_walker.walk(on_round, { chord * dx * n[2], dy, -chord * dx * n[0] }));
+    EXPECT_EQ(on_flat.face, on_round.face) << h;
+    for(int k = 0; k < 3; ++k)
+      EXPECT_NEAR(on_flat.barycentric[k], on_round.barycentric[k], 1e-9);
+  }
+}
+
+TEST(Surface_walker, stops_at_constrained_edges)
+{
+  const Smoothing_case c = smoothing_cases()[0];
+  const Surface_walker walker(c.surface.surface, c.surface.embedding);
+  std::mt19937 generator(1);
+  const auto random = [&] { return generator() / 4294967296.; };
+  int number_of_stops = 0;
+  for(int i = 0; i < 1000; ++i)
+  {
+    Surface_location location = c.surface.locate(12 * random(), 12 * random());
+    const int patch = c.surface.patch_of(location.face);
+    number_of_stops += !walker.walk(location, { 20 * random() - 10, 20 * random() - 10, 0 });
+    expect_valid_location(location);
+    EXPECT_EQ(patch, c.surface.patch_of(location.face));
+  }
+  EXPECT_GT(number_of_stops, 300);
+  EXPECT_LT(number_of_stops, 1000);
+}
+
+TEST(Quad_measures, scaled_jacobian_is_that_of_the_definition)
+{
+  std::mt19937 generator(1);
+  const auto random = [&] { return generator() / 4294967296.; };
+  for(int i = 0; i < 1000; ++i)
+  {
+    std::array<Coordinates, 4> p;
+    for(Coordinates& point : p)
+      point = { random(), random(), random() / 4 };
+    const Quad_shape shape = quad_shape(p);
+    EXPECT_NEAR(shape.scaled_jacobian, scaled_jacobian(p), 1e-12);
+    const bool is_inverted = shape.scaled_jacobian <= 0;
+    EXPECT_EQ(is_inverted, shape.distortion == std::numeric_limits<double>::infinity());
+    EXPECT_GE(shape.distortion, is_inverted ? 4 : 3 + 1 / shape.scaled_jacobian);
+  }
+  const double tangent = 0.75; // of a parallelogram with a sine of 0.8
+  EXPECT_NEAR(quad_shape({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3 + tangent, 1, 0 }, { tangent, 1, 0 } } }).scaled_jacobian,
+              0.8, 1e-15);
+  const Quad_shape square = quad_shape({ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }, { 0, 0, -1 });
+  EXPECT_EQ(square.scaled_jacobian, -1);
+  EXPECT_EQ(quad_shape({ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }).distortion, 4);
+  EXPECT_EQ(quad_shape({ { { 0, 0, 0 }, { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }).scaled_jacobian, 0);
+}
+
+TEST(Quad_measures, figures_of_a_grid_with_a_hole)
+{
+  const Soup soup = grid(12, 12);
+  const Quad_surface s = make_surface(soup.points, soup.triangles);
+  Quad_complex complex = scattered(s, grid_quads(12, 12), 0, 1);
+  CGAL::Frame_fields::Quad_quality quality = measure_quads(polygon_mesh(complex, soup.points));
+  EXPECT_EQ(quality.number_of_quads, 144u);
+  EXPECT_EQ(quality.minimum_scaled_jacobian, 1);
+  EXPECT_EQ(quality.mean_scaled_jacobian, 1);
+  EXPECT_EQ(quality.number_of_inverted_quads + quality.number_of_bad_quads, 0u);
+  EXPECT_EQ(quality.number_of_irregular_vertices + quality.number_of_irregular_sectors, 0u);
+  EXPECT_EQ(quality.minimum_edge_length, 1);
+  EXPECT_EQ(quality.maximum_edge_length, 1);
+  EXPECT_NEAR(quality.mean_edge_length, 1, 1e-15);
+
+  // Without quad 60 its corners have a sector of 270 degrees with three quads; a vertex moved over its neighbour inverts two.
+  complex.quads.erase(complex.quads.begin() + 60);
+  complex.patch.pop_back();
+  std::vector<Coordinates> points = soup.points;
+  quality = measure_quads(polygon_mesh(complex, points));
+  EXPECT_EQ(quality.number_of_irregular_vertices + quality.number_of_irregular_sectors, 0u);
+  points[14 * 2] = { points[14 * 2][0] + 1.5, points[14 * 2][1], 0 };
+  quality = measure_quads(polygon_mesh(complex, points));
+  EXPECT_EQ(quality.number_of_inverted_quads, 2u);
+  EXPECT_EQ(quality.number_of_bad_quads, 2u);
+  EXPECT_EQ(quality.minimum_edge_length, 0.5);
+
+  // Of three cubes' faces around a vertex it is irregular, and so are sectors that are cut at other places.
+  std::vector<char> is_on_arc(4 * complex.quads.size(), false);
+  is_on_arc[0] = true; // at the border: no change
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, soup.points, is_on_arc)).number_of_irregular_sectors, 0u);
+}
+
+TEST(Quad_measures, corner_of_a_cube_and_cut_sectors)
+{
+  Quad_complex complex;
+  complex.quads = { { 0, 1, 4, 2 }, { 0, 2, 5, 3 }, { 0, 3, 6, 1 } };
+  complex.patch = { 0, 0, 0 };
+  complex.vertices.resize(7);
+  const std::vector<Coordinates> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }, { 0, 1, 1 },
+                                         { 1, 0, 1 } };
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, points)).number_of_irregular_vertices, 1u);
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, points)).number_of_irregular_sectors, 0u);
+  complex.patch = { 0, 1, 2 }; // its edges are features: three sectors of 90 degrees, and two at each end of an edge
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, points)).number_of_irregular_vertices, 0u);
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, points)).number_of_irregular_sectors, 0u);
+  const std::vector<Coordinates> flat{ { 0, 0, 0 }, { 1, 0, 0 }, { -0.2, 0.9, 0 }, { -1, -1, 0 }, { 1, 1, 0 },
+                                       { -1.5, 0.3, 0 }, { 0.5, -1, 0 } };
+  EXPECT_EQ(measure_quads(polygon_mesh(complex, flat)).number_of_irregular_sectors, 1u); // of more than 135 degrees
+}
+
+} // namespace
