@@ -65,19 +65,19 @@ public:
 
   Quantization run()
   {
-    if(!has_consistent_parity(m_network))
-      m_result.conflicting = bounded_edges();
-    else if(!m_flow.solve())
-      m_result.conflicting = blocking_edges();
-    else if(!find_values())
-      m_result.conflicting = bounded_edges();
-    else
-      return m_result;
-
-    m_result.is_feasible = m_result.is_optimal = false;
     m_result.unattainable = unattainable_edges(m_network);
-    if(!m_result.unattainable.empty())
-      m_result.conflicting.clear();
+    if(m_result.unattainable.empty())
+    {
+      if(!has_consistent_parity(m_network))
+        m_result.conflicting = bounded_edges();
+      else if(!m_flow.solve())
+        m_result.conflicting = blocking_edges();
+      else if(find_values())
+        return m_result;
+      else
+        m_result.conflicting = bounded_edges();
+    }
+    m_result.is_feasible = m_result.is_optimal = false;
     m_result.value.clear();
     for(const Bidirected_edge& edge : m_network.edges)
       m_result.value.push_back(nearest_integer(edge.target, edge.lower_bound, edge.upper_bound));
