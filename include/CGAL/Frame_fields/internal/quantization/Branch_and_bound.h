@@ -67,12 +67,17 @@ public:
     m_flow.solve_again();
   }
 
-  // Visits at most so many flows, each of which costs some steps per edge.
-  void search(std::int64_t budget)
+  // Visits at most so many flows, and about so many edges in all.
+  void search(const std::int64_t maximum_number_of_flows, const std::int64_t maximum_number_of_steps)
   {
+    const std::int64_t number_of_edges = static_cast<std::int64_t>(m_flow.network().edges.size());
+    const std::int64_t work_before = m_flow.work();
     bool has_flow = true;
-    for(; budget > 0 && !m_best.is_complete; --budget)
+    for(std::int64_t i = 0; i < maximum_number_of_flows && !m_best.is_complete; ++i)
     {
+      // A node of the flow has about four edges in all directions.
+      if(i * number_of_edges + 4 * (m_flow.work() - work_before) > maximum_number_of_steps)
+        break;
       const int edge = has_flow ? edge_to_branch_on() : -1;
       if(edge >= 0)
         descend(edge);

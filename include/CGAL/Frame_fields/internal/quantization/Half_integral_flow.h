@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+#include <CGAL/Frame_fields/internal/quantization/Node_multipliers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,23 +37,24 @@ namespace internal {
 class Half_integral_flow
 {
 public:
-  explicit Half_integral_flow(const Bidirected_network& network)
+  explicit Half_integral_flow(const Bidirected_network& network, const int number_of_sweeps = 100)
     : m_network(network), m_graph(network), m_lower(network.edges.size()), m_upper(network.edges.size())
-    , m_flow(m_graph.number_of_arcs()), m_excess(m_graph.number_of_nodes(), 0)
+    , m_flow(m_graph.number_of_arcs(), 0), m_excess(m_graph.number_of_nodes(), 0)
     , m_potential(m_graph.number_of_nodes(), 0.), m_distance(m_graph.number_of_nodes())
     , m_arrival(m_graph.number_of_nodes(), NOT_REACHED), m_last_dead_phase(m_graph.number_of_nodes(), 0)
   {
+    const std::vector<double> multiplier = Node_multipliers(network).run(number_of_sweeps);
+    for(int node = 0; node < network.number_of_nodes; ++node)
+    {
+      m_potential[2 * node] = multiplier[node];
+      m_potential[2 * node + 1] = -multiplier[node];
+    }
     for(std::size_t e = 0; e < network.edges.size(); ++e)
     {
       m_lower[e] = (std::max)(network.edges[e].lower_bound, -largest_value);
       m_upper[e] = (std::min)(network.edges[e].upper_bound, largest_value);
-      const int start = nearest_integer(network.edges[e].target, m_lower[e], m_upper[e]);
-      for(std::size_t arc = 2 * e; arc < 2 * e + 2; ++arc)
-      {
-        m_flow[arc] = start;
-        m_excess[m_graph.head[arc]] += start;
-        m_excess[m_graph.tail[arc]] -= start;
-      }
+      for(int arc = 2 * static_cast<int>(e); arc < 2 * static_cast<int>(e) + 2; ++arc)
+        push(arc, optimum(arc));
     }
   }
 
@@ -87,7 +89,14 @@ public:
     make_optimal(2 * edge + 1);
   }
 
-  bool solve_again() { return remove_excesses(); }
+  bool solve_again()
+  {
+    const std::int64_t large_excess = 16; // for single steps
+    for(const int source : m_sources)
+      if(m_excess[source] >= large_excess)
+        return solve();
+    return remove_excesses();
+  }
 
   int lower_bound(const int edge) const { return m_lower[edge]; }
   int upper_bound(const int edge) const { return m_upper[edge]; }
@@ -157,6 +166,14 @@ private:
     m_excess[m_graph.tail[arc]] -= amount;
   }
 
+  // The value of an arc that costs least for the potentials of its ends.
+  int optimum(const int arc) const
+  {
+    const Bidirected_edge& edge = m_network.edges[arc / 2];
+    return nearest_integer(edge.target - potential_difference(arc) / (2 * edge.weight), m_lower[arc / 2],
+                           m_upper[arc / 2]);
+  }
+
   void make_optimal_for_step(const int arc)
   {
     if(can_increase(arc) && forward_cost(arc) < 0)
@@ -168,7 +185,6 @@ private:
   // The same for steps of 1 and any distance from the optimum.
   void make_optimal(const int arc)
   {
-    const Bidirected_edge& edge = m_network.edges[arc / 2];
     const int lower = m_lower[arc / 2], upper = m_upper[arc / 2];
     // Rounding errors must not move what is optimal.
     const double tolerance = 1e-12 * (1 + std::abs(potential_difference(arc)));
@@ -177,8 +193,7 @@ private:
                             && !(can_decrease(arc) && backward_cost(arc) < -tolerance);
     if(!is_optimal)
     {
-      const double optimum = edge.target - potential_difference(arc) / (2 * edge.weight);
-      push(arc, nearest_integer(optimum, lower, upper) - m_flow[arc]);
+      push(arc, optimum(arc) - m_flow[arc]);
     }
     m_sources.push_back(m_graph.tail[arc]);
     m_sources.push_back(m_graph.head[arc]);

@@ -36,7 +36,7 @@ namespace internal {
 struct Quantization_options
 {
   std::int64_t maximum_number_of_flows = 2000;     // in branch and bound, per component
-  std::int64_t maximum_number_of_steps = 20000000; // in branch and bound, per component: one per edge and flow
+  std::int64_t maximum_number_of_steps = 10000000; // in branch and bound, per component: one per edge and visit
   int maximum_number_of_strip_rounds = 20;
   bool uses_dive = true;                           // whether branch and bound starts with the branches of all odd parts
 };
@@ -65,19 +65,19 @@ public:
 
   Quantization run()
   {
-    if(!has_consistent_parity(m_network))
-      m_result.conflicting = bounded_edges();
-    else if(!m_flow.solve())
-      m_result.conflicting = blocking_edges();
-    else if(!find_values())
-      m_result.conflicting = bounded_edges();
-    else
-      return m_result;
-
-    m_result.is_feasible = m_result.is_optimal = false;
     m_result.unattainable = unattainable_edges(m_network);
-    if(!m_result.unattainable.empty())
-      m_result.conflicting.clear();
+    if(m_result.unattainable.empty())
+    {
+      if(!has_consistent_parity(m_network))
+        m_result.conflicting = bounded_edges();
+      else if(!m_flow.solve())
+        m_result.conflicting = blocking_edges();
+      else if(find_values())
+        return m_result;
+      else
+        m_result.conflicting = bounded_edges();
+    }
+    m_result.is_feasible = m_result.is_optimal = false;
     m_result.value.clear();
     for(const Bidirected_edge& edge : m_network.edges)
       m_result.value.push_back(nearest_integer(edge.target, edge.lower_bound, edge.upper_bound));
@@ -92,7 +92,7 @@ private:
     Branch_and_bound branch_and_bound(m_flow);
     if(m_options.uses_dive)
       branch_and_bound.dive();
-    branch_and_bound.search(maximum_number_of_flows());
+    branch_and_bound.search(m_options.maximum_number_of_flows, m_options.maximum_number_of_steps);
     m_result.value = branch_and_bound.best().value;
     m_result.is_optimal = branch_and_bound.best().is_complete;
     if(m_result.value.empty() && (m_result.is_optimal || !find_any_values()))
@@ -101,12 +101,6 @@ private:
       m_result.number_of_strips_moved = Strip_search(m_network, m_flow.graph(), potential, m_result.value)
                                           .improve(m_options.maximum_number_of_strip_rounds);
     return true;
-  }
-
-  std::int64_t maximum_number_of_flows() const
-  {
-    return (std::min)(m_options.maximum_number_of_flows,
-                      m_options.maximum_number_of_steps / static_cast<std::int64_t>(m_network.edges.size()));
   }
 
   bool find_any_values()

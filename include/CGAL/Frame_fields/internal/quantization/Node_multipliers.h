@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_NODE_MULTIPLIERS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_NODE_MULTIPLIERS_H
+
+#include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Lagrange multipliers of the sums at the nodes, roughly: with them, each edge for itself gets a value that makes the
+// sums small. They start the flow near its end; any others would do as well, only not as fast.
+//
+// One node after the other changes its multiplier such that its sum would be 0 if its edges had real values that stay
+// off their bounds.
+class Node_multipliers
+{
+public:
+  explicit Node_multipliers(const Bidirected_network& network)
+    : m_network(network), m_multiplier(network.number_of_nodes, 0.)
+    , m_first_place(static_cast<std::size_t>(network.number_of_nodes) + 1, 0)
+  {
+    const int number_of_edges = static_cast<int>(network.edges.size());
+    for(const Bidirected_edge& edge : network.edges)
+      for(const int node : edge.node)
+        if(node >= 0)
+          ++m_first_place[node + 1];
+    for(int node = 0; node < network.number_of_nodes; ++node)
+      m_first_place[node + 1] += m_first_place[node];
+    m_incident.resize(m_first_place.back());
+    std::vector<int> next(m_first_place.begin(), m_first_place.end() - 1);
+    for(int e = 0; e < number_of_edges; ++e)
+      for(int end = 0; end < 2; ++end)
+        if(network.edges[e].node[end] >= 0)
+          m_incident[next[network.edges[e].node[end]]++] = 2 * e + end;
+  }
+
+  const std::vector<double>& run(const int number_of_sweeps)
+  {
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+      for(int i = 0; i < m_network.number_of_nodes; ++i)
+        improve(sweep % 2 == 0 ? i : m_network.number_of_nodes - 1 - i);
+    return m_multiplier;
+  }
+
+private:
+  // What the multipliers say together to an edge.
+  double slope(const Bidirected_edge& edge) const
+  {
+    double result = 0;
+    for(int end = 0; end < 2; ++end)
+      if(edge.node[end] >= 0)
+        result += edge.sign[end] * m_multiplier[edge.node[end]];
+    return result;
+  }
+
+  void improve(const int node)
+  {
+    double sum = 0, free_change = 0, change = 0; // the latter two: of the sum, by the multiplier
+    for(int place = m_first_place[node]; place < m_first_place[node + 1]; ++place)
+    {
+      const Bidirected_edge& edge = m_network.edges[m_incident[place] / 2];
+      const double value = edge.target - slope(edge) / (2 * edge.weight);
+      const double clamped_value = (std::max)(double(edge.lower_bound), (std::min)(double(edge.upper_bound), value));
+      sum += edge.sign[m_incident[place] % 2] * clamped_value;
+      change += 1 / (2 * edge.weight);
+      if(value == clamped_value)
+        free_change += 1 / (2 * edge.weight);
+    }
+    if(change > 0)
+      m_multiplier[node] += sum / (free_change > 0 ? free_change : change);
+  }
+
+  const Bidirected_network& m_network;
+  std::vector<double> m_multiplier; // per node
+  std::vector<int> m_first_place;   // per node, and one more
+  std::vector<int> m_incident;      // by places: 2 * edge + end
+};
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_NODE_MULTIPLIERS_H
