@@ -14,16 +14,17 @@
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/arc_breakpoints.h>
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
 #include <CGAL/Frame_fields/internal/quads/assemble.h>
 #include <CGAL/Frame_fields/internal/quads/Expected_valence.h>
-#include <CGAL/Frame_fields/internal/quads/layout_network.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
+#include <CGAL/Frame_fields/internal/quantization/t_mesh_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 
@@ -76,6 +77,15 @@ public:
     : m_surface(surface), m_embedding(embedding), m_index(index), m_features(features), m_map(map)
     , m_t_meshes(t_meshes), m_target_edge_length(target_edge_length), m_valence(surface, embedding, index)
   {
+    // Feature edges are kept if the quads do not leave them by more than a small part of their sides.
+    const double tolerance = 0.02 * target_edge_length;
+    for(const Feature_arc& arc : features.arcs)
+    {
+      std::vector<int> source_vertex;
+      for(const int h : arc.halfedges)
+        source_vertex.push_back(embedding.vertex[previous_of(h)]);
+      m_breakpoints.push_back(arc_breakpoints(embedding, arc, source_vertex, tolerance));
+    }
     reset_bounds();
   }
 
@@ -114,15 +124,22 @@ private:
   void reset_bounds()
   {
     m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
-    m_layout = make_layout_network(m_surface, m_features, m_t_meshes, m_sides, m_target_edge_length);
+    const std::vector<double> edge_length(m_t_meshes.size(), m_target_edge_length);
+    m_layout = t_mesh_network(m_surface, m_features, m_t_meshes, { edge_length, {} });
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
-    for(int e = 0; e < m_layout.first_arc; ++e)
-      m_layout.network.edges[e].lower_bound = m_forbids_empty_pieces ? 1 : 0;
+    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
+      for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
+        m_layout.network.edges[m_layout.first_piece[patch] + piece].lower_bound = m_forbids_empty_pieces ? 1 : 0;
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+    {
+      int& bound = m_layout.network.edges[a].lower_bound;
+      bound = (std::max)(bound, static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1));
+    }
     // Arcs beside filled patches have two quad edges per edge of the triangle mesh.
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
       if(is_beside_filled_patch(m_sides, static_cast<int>(a)))
       {
-        Bidirected_edge& arc = m_layout.network.edges[m_layout.first_arc + a];
+        Bidirected_edge& arc = m_layout.network.edges[a];
         arc.lower_bound = arc.upper_bound = 2 * static_cast<int>(m_features.arcs[a].halfedges.size());
       }
   }
@@ -170,7 +187,7 @@ private:
   {
     bool is_any_lowered = false;
     for(const int e : blocked)
-      if(e < m_layout.first_arc && m_layout.network.edges[e].lower_bound > 0 && !m_forbids_empty_pieces)
+      if(is_piece(e) && m_layout.network.edges[e].lower_bound > 0 && !m_forbids_empty_pieces)
       {
         m_layout.network.edges[e].lower_bound = 0;
         m_cannot_be_raised[e] = 1;
@@ -191,15 +208,23 @@ private:
         smallest = patch;
     };
     for(const int e : blocked)
-      if(e < m_layout.first_arc)
+      if(is_piece(e))
         consider(patch_of_piece(e));
-      else
-        for(const Arc_side& side : m_sides[e - m_layout.first_arc])
+      else if(e < number_of_arcs())
+        for(const Arc_side& side : m_sides[e])
           consider(side.patch);
     if(smallest >= 0)
       fill_patch(smallest);
     else
       fill_all();
+  }
+
+  // The unknowns are the arcs, the pieces, and half the numbers of arcs that must have even ones.
+  int number_of_arcs() const { return static_cast<int>(m_features.arcs.size()); }
+  bool is_piece(const int unknown) const
+  {
+    return unknown >= number_of_arcs()
+        && unknown < m_layout.first_piece.back() + static_cast<int>(m_t_meshes.back().pieces.size());
   }
 
   int patch_of_piece(const int unknown) const
@@ -217,9 +242,9 @@ private:
       const auto first = m_value.begin() + m_layout.first_piece[patch];
       edges_of_piece[patch].assign(first, first + static_cast<std::ptrdiff_t>(m_t_meshes[patch].pieces.size()));
     }
-    const std::vector<int> edges_of_arc(m_value.begin() + m_layout.first_arc, m_value.end());
+    const std::vector<int> edges_of_arc(m_value.begin(), m_value.begin() + number_of_arcs());
     const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sides, edges_of_piece,
-                              edges_of_arc };
+                              edges_of_arc, m_breakpoints };
     Quad_complex complex;
     m_classes = Vertex_classes();
     m_origin.clear();
@@ -382,7 +407,8 @@ private:
   Expected_valence m_valence;
   bool m_forbids_empty_pieces = false;
   Arc_sides m_sides;
-  Layout_network m_layout;
+  std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
+  T_mesh_network m_layout;
   std::vector<char> m_cannot_be_raised; // per unknown: with its bound at 1 there is no solution
   std::vector<int> m_value;             // per unknown
   Vertex_classes m_classes;

@@ -45,6 +45,7 @@ struct Quad_layout
   const Arc_sides& sides;
   const std::vector<std::vector<int> >& edges_of_piece; // per patch
   const std::vector<int>& edges_of_arc;
+  const std::vector<std::vector<int> >& breakpoints; // per arc: places where it must have a vertex
 };
 
 // The vertices that patches share, made once.
@@ -88,7 +89,25 @@ inline Placed_arc place_points(const Quad_layout& layout, const int arc)
   }
   const std::vector<double> fixed = is_beside_filled_patch(layout.sides, arc)
                                   ? points_of_triangles(polyline, feature_arc) : std::vector<double>();
-  return join_sides(points, fixed, feature_arc.is_loop, polyline.length());
+  Placed_arc placed = join_sides(points, fixed, feature_arc.is_loop, polyline.length());
+  if(fixed.empty())
+    move_to_breakpoints(polyline, layout.breakpoints[arc], feature_arc.is_loop, placed.length);
+  return placed;
+}
+
+// A vertex at a breakpoint of its arc stays there.
+inline void keep_at_breakpoint(const Quad_layout& layout, const int arc, Quad_vertex& vertex)
+{
+  const double rounding = 1e-9;
+  const std::vector<int>& halfedges = layout.network.arcs[arc].halfedges;
+  const double nearest = std::round(vertex.position);
+  const int place = static_cast<int>(nearest) % static_cast<int>(halfedges.size());
+  if(std::abs(vertex.position - nearest) > rounding
+     || !std::binary_search(layout.breakpoints[arc].begin(), layout.breakpoints[arc].end(), place))
+    return;
+  vertex.position = place;
+  vertex.location = location_on_halfedge(halfedges[place], 0);
+  vertex.vertex = layout.embedding.vertex[previous_of(halfedges[place])];
 }
 
 inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& complex)
@@ -124,6 +143,7 @@ inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& c
       vertex.position = polyline.position_at(std::fmod(length, polyline.length()));
       const int place = (std::min)(static_cast<int>(vertex.position), static_cast<int>(arc.halfedges.size()) - 1);
       vertex.location = location_on_halfedge(arc.halfedges[place], vertex.position - place);
+      keep_at_breakpoint(layout, static_cast<int>(a), vertex);
       complex.arcs.back().push_back(static_cast<int>(complex.vertices.size()));
       complex.vertices.push_back(vertex);
     }
