@@ -120,7 +120,8 @@ public:
   }
 
 private:
-  static constexpr int maximum_number_of_attempts = 8, maximum_number_of_steps = 400;
+  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 150;
+  static constexpr int number_of_improving_steps = 10;
 
   template <typename SolverTraits>
   bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z) const
@@ -129,7 +130,9 @@ private:
     auto solver = solver_traits.real_solver_object();
     if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
       return false;
-    Untangler<decltype(solver)>(m_elements, m_basis, solver, z).untangle(maximum_number_of_steps);
+    Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
+    if(!untangler.is_untangled() && untangler.untangle(maximum_number_of_steps))
+      untangler.improve(number_of_improving_steps);
     return true;
   }
 
