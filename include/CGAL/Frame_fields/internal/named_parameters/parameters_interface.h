@@ -39,3 +39,6 @@ CGAL_add_named_parameter(strong_angle_t, strong_angle, strong_angle)
 CGAL_add_named_parameter(weak_angle_t, weak_angle, weak_angle)
 CGAL_add_named_parameter(minimum_chain_length_t, minimum_chain_length, minimum_chain_length)
 CGAL_add_named_parameter(close_gaps_t, close_gaps, close_gaps)
+CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)
+CGAL_add_named_parameter(uncertified_patch_output_iterator_t, uncertified_patch_output_iterator,
+                         uncertified_patch_output_iterator)
