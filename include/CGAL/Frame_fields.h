@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
@@ -32,6 +33,7 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
+#include <CGAL/Frame_fields/seamless_parameterization.h>
 #include <CGAL/Frame_fields/sharp_corners.h>
 #include <CGAL/Frame_fields/singularities.h>
 #include <CGAL/Frame_fields/singularity_indices.h>

@@ -86,6 +86,79 @@ TEST_P(Stages, find_the_matching_again)
   });
 }
 
+// Every certified patch is mapped exactly, the others are listed and mapped to the origin.
+TEST_P(Stages, map_patches_seamlessly)
+{
+  typedef Kernel::Point_2 Point_2;
+  on_each_mesh_class(GetParam().make(), [](const auto& cad_mesh)
+  {
+    typedef typename std::decay_t<decltype(cad_mesh)>::Mesh Mesh;
+    const Mesh& mesh = cad_mesh.mesh;
+    const Maps<Mesh> maps(mesh);
+    ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index,
+                                    cad_mesh.features().matching_map(maps.matching)));
+    const Halfedge_map<Mesh, Point_2> uv_map = get(CGAL::dynamic_halfedge_property_t<Point_2>(), mesh);
+    std::vector<FF::Uncertified_patch<typename boost::graph_traits<Mesh>::face_descriptor> > uncertified;
+    const FF::Result result = FF::seamless_parameterization(
+      mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map,
+      cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified)));
+    ASSERT_TRUE(result) << result.message;
+
+    const Cut cut = cad_mesh.cut();
+    std::vector<Point_2> uv;
+    for_each_halfedge(mesh, [&](const auto h) { uv.push_back(get(uv_map, h)); });
+    const auto along = [&](const int h) { return uv[h] - uv[h % 3 == 0 ? h + 2 : h - 1]; };
+    std::set<int> uncertified_patches;
+    for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    {
+      const auto d = along(h);
+      const int next = h % 3 == 2 ? h - 2 : h + 1;
+      if(CGAL::determinant(d, along(next)) <= 0)
+      {
+        EXPECT_EQ(Point_2(0, 0), uv[h]);
+        uncertified_patches.insert(cut.patch[h / 3]);
+        continue;
+      }
+      if(cut.is_constrained(h))
+        EXPECT_NE(d.x() == 0, d.y() == 0);
+      else
+      {
+        const auto e = along(cut.opposite[h]);
+        EXPECT_TRUE(e == -d || e == d || e == Kernel::Vector_2(-d.y(), d.x()) || e == Kernel::Vector_2(d.y(), -d.x()));
+      }
+    }
+    EXPECT_EQ(uncertified_patches.size(), uncertified.size());
+  });
+}
+
+TEST(Seamless_parameterization, reads_its_parameters)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(generated_models().front().make());
+  const Maps<Surface_mesh> maps(cad_mesh.mesh);
+  ASSERT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
+                                  cad_mesh.features().matching_map(maps.matching)));
+  const auto uv_map = get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), cad_mesh.mesh);
+  const auto map_with = [&](const double target_edge_length)
+  {
+    return FF::seamless_parameterization(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map,
+                                         cad_mesh.features().target_edge_length(target_edge_length)).error_code;
+  };
+  const auto square_of_some_side = [&]
+  {
+    const auto h = *halfedges(cad_mesh.mesh).first;
+    return CGAL::squared_distance(get(uv_map, h), get(uv_map, prev(h, cad_mesh.mesh)));
+  };
+  EXPECT_EQ(FF::OK, map_with(1));
+  const double square = square_of_some_side();
+  EXPECT_GT(square, 0);
+  EXPECT_EQ(FF::OK, map_with(0.5));
+  EXPECT_NEAR(4 * square, square_of_some_side(), 1e-6 * square);
+  EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, map_with(0));
+  for(const auto h : halfedges(cad_mesh.mesh))
+    put(maps.index, h, 7);
+  EXPECT_EQ(FF::ERROR_WRONG_FIELD, map_with(1));
+}
+
 INSTANTIATE_TEST_SUITE_P(Generated, Stages, testing::ValuesIn(generated_models()), Model_name());
 
 std::vector<Named_model> models_of_cgal()

@@ -46,3 +46,5 @@ CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_l
 CGAL_add_named_parameter(number_of_quads_t, number_of_quads, number_of_quads)
 CGAL_add_named_parameter(output_edge_is_constrained_t, output_edge_is_constrained, output_edge_is_constrained_map)
 CGAL_add_named_parameter(face_to_patch_t, face_to_patch, face_to_patch_map)
+CGAL_add_named_parameter(uncertified_patch_output_iterator_t, uncertified_patch_output_iterator,
+                         uncertified_patch_output_iterator)

@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_SEAMLESS_MAP_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_SEAMLESS_MAP_H
 
+#include <CGAL/Frame_fields/Seamless_map_status.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -19,16 +21,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What is known of the map of a patch.
-enum class Map_status
-{
-  CERTIFIED,         // injective around every point, aligned, seamless, and every sector holds the quads of its index
-  FORCED_ZERO_SIDE,  // the equations leave a constrained edge without length
-  SOLVER_FAILED,     // a linear system could not be solved, or the values are too large for the grid
-  INVERTED_FACE,     // a face is not positively oriented
-  REVERSED_EDGE,     // a constrained edge does not run forward
-  WRONG_CONE         // a sector turns by another angle than its index says
-};
+typedef Frame_fields::Seamless_map_status Map_status;
 
 // Boundary-aligned seamless maps of the patches, on a grid of integers, so that all that is said of them is exact.
 //

@@ -38,8 +38,7 @@ public:
     evaluate(m_z, m_value, m_gradient);
   }
 
-  // The least of all determinants and growths; positive if the map is untangled.
-  double least() const { return m_least; }
+  bool is_untangled() const { return m_least > 0; }
   int number_of_steps() const { return m_number_of_steps; }
   int number_of_evaluations() const { return m_number_of_evaluations; }
 
@@ -47,18 +46,22 @@ public:
   bool untangle(const int maximum_number_of_steps)
   {
     const int steps_of_round = 80, end = m_number_of_steps + maximum_number_of_steps;
-    while(!(m_least > 0) && m_number_of_steps < end)
+    while(!is_untangled() && m_number_of_steps < end && !m_is_stuck)
     {
-      const double negative = (std::min)(m_least, 0.);
-      set_epsilon(std::sqrt(1e-12 + 0.04 * negative * negative));
+      const double least_epsilon = 1e-3, part_of_least = 0.05;
+      set_epsilon(std::hypot(least_epsilon, part_of_least * (std::min)(m_least, 0.)));
       const int end_of_round = (std::min)(end, m_number_of_steps + steps_of_round);
-      bool goes_on = true;
-      while(goes_on && !(m_least > 0) && m_number_of_steps < end_of_round)
-        goes_on = step();
-      if(!goes_on && m_is_stuck)
-        break;
+      while(!is_untangled() && m_number_of_steps < end_of_round && step()) {}
     }
-    return m_least > 0;
+    return is_untangled();
+  }
+
+  // Makes an untangled map more even and leaves it untangled: without epsilon the barrier is infinitely high.
+  void improve(const int number_of_steps)
+  {
+    set_epsilon(0);
+    const int end = m_number_of_steps + number_of_steps;
+    while(m_number_of_steps < end && step()) {}
   }
 
 private:

@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -47,13 +48,16 @@ inline bool has_room_for_quads(const Cut_surface& surface, const Patch& patch, c
 // How many bits after the point leave room for the values of a map and its unknowns; negative if they are too large.
 inline int fraction_bits_for(const std::vector<double>& z, const std::vector<double>& x)
 {
-  double largest = 1e-3;
-  for(const double value : z)
-    largest = (std::max)(largest, std::abs(value));
-  for(const double value : x)
-    largest = (std::max)(largest, std::abs(value));
+  double largest = (std::numeric_limits<double>::min)();
+  for(const std::vector<double>* const values : { &z, &x })
+    for(const double value : *values)
+    {
+      if(!std::isfinite(value))
+        return -1;
+      largest = (std::max)(largest, std::abs(value));
+    }
   const int bits_of_values = 49; // less than 2^50 after the rounding
-  return std::isfinite(largest) ? bits_of_values - 1 - std::ilogb(largest) : -1;
+  return bits_of_values - 1 - std::ilogb(largest);
 }
 
 // Writes x = B z, computed in integers from z rounded to the grid.
@@ -81,12 +85,13 @@ inline bool write_map(const Patch& patch, const Cut_graph& graph, const Map_basi
 class Patch_parameterization
 {
 public:
-  // `alpha` and `rho` are the relaxed field, `target_length` is per face, in the unit of `Cut_surface::length`.
+  // `alpha` and `rho` are the relaxed field, `target_length` is per face, in the unit of `Cut_surface::length`. The
+  // chart of the face `root` is that of its field.
   Patch_parameterization(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
                          const std::vector<double>& rho, const std::vector<int>& matching,
-                         const std::vector<int>& index, const std::vector<double>& target_length)
+                         const std::vector<int>& index, const std::vector<double>& target_length, const int root)
     : m_surface(surface), m_patch(patch), m_index(index)
-    , m_combing(comb(surface, patch, matching, patch.faces.begin_index))
+    , m_combing(comb(surface, patch, matching, root))
     , m_graph(Patch_cutter(surface, patch, index, m_combing).cut())
     , m_field(surface, patch, alpha, rho, m_combing)
     , m_basis(surface, patch, m_graph, m_field)
@@ -120,7 +125,8 @@ public:
   }
 
 private:
-  static constexpr int maximum_number_of_attempts = 8, maximum_number_of_steps = 400;
+  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 150;
+  static constexpr int number_of_improving_steps = 10;
 
   template <typename SolverTraits>
   bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z) const
@@ -129,7 +135,9 @@ private:
     auto solver = solver_traits.real_solver_object();
     if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
       return false;
-    Untangler<decltype(solver)>(m_elements, m_basis, solver, z).untangle(maximum_number_of_steps);
+    Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
+    if(!untangler.is_untangled() && untangler.untangle(maximum_number_of_steps))
+      untangler.improve(number_of_improving_steps);
     return true;
   }
 
@@ -184,7 +192,8 @@ Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch
 {
   if(!has_room_for_quads(surface, patch, index))
     return Map_status::WRONG_CONE;
-  Patch_parameterization parameterization(surface, patch, alpha, rho, matching, index, target_length);
+  Patch_parameterization parameterization(surface, patch, alpha, rho, matching, index, target_length,
+                                          patch.faces.begin_index);
   return parameterization.compute(solver_traits, map, fraction_bits);
 }
 

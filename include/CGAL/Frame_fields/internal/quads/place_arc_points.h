@@ -197,7 +197,7 @@ inline std::vector<double> points_of_triangles(const Arc_polyline& polyline, con
 }
 
 // Moves points of an arc to its breakpoints, each to another one near it, and stretches the others between them.
-// them. There are at least as many points as breakpoints.
+// There are at least as many points as breakpoints.
 inline void move_to_breakpoints(const Arc_polyline& polyline, const std::vector<int>& breakpoints, const bool is_loop,
                                 std::vector<double>& points)
 {
