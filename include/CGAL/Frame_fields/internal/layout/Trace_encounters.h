@@ -56,11 +56,8 @@ public:
     for(int other = first; other >= 0; other = m_arrivals[other].second)
     {
       const Trace_passing& arrival = m_arrivals[other].first;
-      const int turn = (passing.slot - arrival.slot) & 3;
       ++m_number_of_comparisons;
-      if(turn == 2)
-        push_meeting(passing.trace, arrival.trace, passing.time + arrival.time);
-      else if(turn != 0)
+      if((passing.slot - arrival.slot) % 2 != 0) // traces on one line have segments in the same faces
         push_crossing(passing, arrival, vertex);
     }
     m_arrivals.push_back({ passing, first });
@@ -82,8 +79,6 @@ private:
   {
     const Grid_vector point = ray_a.direction % 2 == 0 ? Grid_vector{ ray_b.origin.u, ray_a.origin.v }
                                                        : Grid_vector{ ray_a.origin.u, ray_b.origin.v };
-    if(ray_a.time(point) <= 0 || ray_b.time(point) <= 0)
-      return;
     T_mesh_location location = { -1, -1, face, point };
     int edge = -1, number_of_edges = 0;
     for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
