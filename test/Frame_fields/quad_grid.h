@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -31,12 +32,30 @@ inline Grid_point turned(Grid_point p, const int quarter_turns)
 inline Grid_point sum(const Grid_point& a, const Grid_point& b) { return { a[0] + b[0], a[1] + b[1] }; }
 inline Grid_point difference(const Grid_point& a, const Grid_point& b) { return { a[0] - b[0], a[1] - b[1] }; }
 
+// A corner of a polygon.
+struct Grid_corner
+{
+  int vertex, side;  // the side that comes to it, -1 for an edge inside a polygon
+  Grid_point point;
+  int quads;         // quarter turns of the corners that begin here, counted counter-clockwise
+};
+
 // Rectangles with counter-clockwise vertices; the side i runs from vertex i to the next one. Side 0 is along u.
 struct Quad_grid
 {
+  // Several rectangles that make up one, without the vertices inside: a fan around `center`.
+  struct Block
+  {
+    int center_vertex;
+    Grid_point center;
+    std::vector<Grid_corner> corners;
+  };
+
   std::vector<std::array<int, 4> > vertices;
   std::vector<std::array<std::int64_t, 2> > sizes; // along the sides 0 and 1
   std::set<std::pair<int, int> > constrained;      // the smaller vertex first
+  std::vector<Block> blocks;
+  std::set<int> quads_in_blocks;
 
   void constrain(const int a, const int b) { constrained.insert({ (std::min)(a, b), (std::max)(a, b) }); }
   bool is_constrained(const int a, const int b) const
@@ -76,51 +95,63 @@ struct Grid_map
 
 namespace quad_grid {
 
-struct Corner
+struct Triangle
 {
-  int vertex, side; // the side that comes to it, -1 for a diagonal
-  Grid_point point;
-  int quads;        // how many corners of rectangles begin here, counted counter-clockwise
+  std::array<Grid_corner, 3> corners;
+  int polygon; // the rectangle, or behind them the block
 };
-
-typedef std::array<Corner, 3> Triangle;
 
 inline std::vector<Triangle> triangles(const Quad_grid& grid, std::mt19937& random)
 {
   std::vector<Triangle> result;
   for(int q = 0; q < static_cast<int>(grid.vertices.size()); ++q)
   {
+    if(grid.quads_in_blocks.count(q) > 0)
+      continue;
     const std::int64_t w = grid.sizes[q][0], h = grid.sizes[q][1];
     const std::array<Grid_point, 4> points = { { { 0, 0 }, { w, 0 }, { w, h }, { 0, h } } };
     const int first = static_cast<int>(random() % 4);
-    const auto corner = [&](const int i, const bool is_on_side, const int quads) -> Corner
+    const auto corner = [&](const int i, const bool is_on_side, const int quads) -> Grid_corner
     {
       const int k = (first + i) % 4;
       return { grid.vertices[q][k], is_on_side ? 4 * q + (k + 3) % 4 : -1, points[k], quads };
     };
     // The diagonal joins the vertices 0 and 2 counted from `first`.
-    result.push_back({ { corner(0, false, 1), corner(1, true, 1), corner(2, true, 0) } });
-    result.push_back({ { corner(2, false, 1), corner(3, true, 1), corner(0, true, 0) } });
+    result.push_back({ { corner(0, false, 1), corner(1, true, 1), corner(2, true, 0) }, q });
+    result.push_back({ { corner(2, false, 1), corner(3, true, 1), corner(0, true, 0) }, q });
+  }
+  int polygon = static_cast<int>(grid.vertices.size());
+  for(const Quad_grid::Block& block : grid.blocks)
+  {
+    for(std::size_t i = 0; i < block.corners.size(); ++i)
+    {
+      Grid_corner first = block.corners[i], second = block.corners[(i + 1) % block.corners.size()];
+      first.side = -1;
+      second.quads = 0;
+      result.push_back({ { Grid_corner{ block.center_vertex, -1, block.center, i == 0 ? 4 : 0 }, first, second },
+                         polygon });
+    }
+    ++polygon;
   }
   return result;
 }
 
 inline std::vector<int> opposites(const Quad_grid& grid, const std::vector<Triangle>& triangles)
 {
-  std::map<std::pair<int, int>, int> halfedge_of_edge;
+  std::map<std::array<int, 3>, int> halfedge_of_edge; // the polygon around it, or -1; source and target
   std::vector<int> result(3 * triangles.size(), -1);
   for(int h = 0; h < static_cast<int>(result.size()); ++h)
   {
-    const int source = triangles[h / 3][(h + 2) % 3].vertex, target = triangles[h / 3][h % 3].vertex;
-    const bool is_diagonal = triangles[h / 3][h % 3].side < 0;
-    if(is_diagonal) // the two triangles of a rectangle follow each other
-      result[h] = h % 6 < 3 ? h + 3 : h - 3;
+    const auto& corners = triangles[h / 3].corners;
+    const int source = corners[(h + 2) % 3].vertex, target = corners[h % 3].vertex;
+    if(corners[h % 3].side < 0)
+      halfedge_of_edge[{ triangles[h / 3].polygon, source, target }] = h;
     else if(!grid.is_constrained(source, target))
-      halfedge_of_edge[{ source, target }] = h;
+      halfedge_of_edge[{ -1, source, target }] = h;
   }
   for(const auto& entry : halfedge_of_edge)
   {
-    const auto other = halfedge_of_edge.find({ entry.first.second, entry.first.first });
+    const auto other = halfedge_of_edge.find({ entry.first[0], entry.first[2], entry.first[1] });
     if(other != halfedge_of_edge.end())
       result[entry.second] = other->second;
   }
@@ -170,7 +201,7 @@ inline Grid_map grid_map(const Quad_grid& grid, std::mt19937& random)
   result.map.v.resize(surface.opposite.size());
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
   {
-    const quad_grid::Corner& corner = triangles[order[h / 3]][h % 3];
+    const Grid_corner& corner = triangles[order[h / 3]].corners[h % 3];
     quads[surface.sector[h]] += corner.quads;
     result.set_point(h, corner.point);
     result.side.push_back(corner.side);
@@ -178,7 +209,7 @@ inline Grid_map grid_map(const Quad_grid& grid, std::mt19937& random)
   for(int s = 0; s < surface.number_of_sectors(); ++s)
     result.index.push_back((surface.is_constrained_sector(s) ? 2 : 4) - quads[s]);
   for(const int triangle : order)
-    result.quad.push_back(triangle / 2);
+    result.quad.push_back(triangles[triangle].polygon);
   result.is_arc_node.assign(surface.number_of_sectors(), 0);
   result.chart_turns.assign(surface.number_of_faces(), 0);
   result.chart_shift.assign(surface.number_of_faces(), { 0, 0 });

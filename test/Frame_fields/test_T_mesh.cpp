@@ -57,6 +57,61 @@ Quad_grid rectangle(const int width, const int height)
   return planar_domain(Pixels(width, std::vector<bool>(height, true)), equal_sizes(width), equal_sizes(height));
 }
 
+// Takes blocks of pixels of a planar domain together, wherever there is room for a block at a random place.
+void add_blocks(Quad_grid& grid, const Pixels& domain, const std::vector<std::int64_t>& widths,
+                const std::vector<std::int64_t>& heights, std::mt19937& random)
+{
+  const int columns = static_cast<int>(widths.size()), rows = static_cast<int>(heights.size());
+  std::vector<std::vector<int> > quad(columns, std::vector<int>(rows, -1));
+  int number = 0;
+  for(int x = 0; x < columns; ++x)
+    for(int y = 0; y < rows; ++y)
+      if(domain[x][y])
+        quad[x][y] = number++;
+  int next_vertex = (columns + 1) * (rows + 1);
+  for(int attempt = 0; attempt < 20; ++attempt)
+  {
+    const int w = 1 + static_cast<int>(random() % 4), h = 1 + static_cast<int>(random() % 4);
+    if(w > columns || h > rows)
+      continue;
+    const int x0 = static_cast<int>(random() % (columns - w + 1)), y0 = static_cast<int>(random() % (rows - h + 1));
+    bool has_room = true;
+    for(int i = 0; i < w * h; ++i)
+    {
+      const int q = quad[x0 + i % w][y0 + i / w];
+      has_room = has_room && q >= 0 && grid.quads_in_blocks.count(q) == 0;
+    }
+    if(!has_room)
+      continue;
+    for(int i = 0; i < w * h; ++i)
+      grid.quads_in_blocks.insert(quad[x0 + i % w][y0 + i / w]);
+
+    Quad_grid::Block block = { next_vertex++, {}, {} };
+    int x = 0, y = 0;
+    Grid_point point = { 0, 0 };
+    for(int i = 0; i < 2 * (w + h); ++i)
+    {
+      const bool is_corner = (x == 0 || x == w) && (y == 0 || y == h);
+      const int side = y == 0 && x > 0 ? 4 * quad[x0 + x - 1][y0]
+                     : x == w && y > 0 ? 4 * quad[x0 + w - 1][y0 + y - 1] + 1
+                     : y == h ? 4 * quad[x0 + x][y0 + h - 1] + 2 : 4 * quad[x0][y0 + y] + 3;
+      block.corners.push_back({ x0 + x + (columns + 1) * (y0 + y), side, point, is_corner ? 1 : 2 });
+      if(x == w && y == h)
+        block.center = { 1 + static_cast<std::int64_t>(random() % (point[0] - 1)),
+                         1 + static_cast<std::int64_t>(random() % (point[1] - 1)) };
+      if(y == 0 && x < w)
+        point[0] += widths[x0 + x++];
+      else if(x == w && y < h)
+        point[1] += heights[y0 + y++];
+      else if(y == h && x > 0)
+        point[0] -= widths[x0 + --x];
+      else
+        point[1] -= heights[y0 + --y];
+    }
+    grid.blocks.push_back(block);
+  }
+}
+
 // Glued at the left and at the right, where `shift` rows are left out; also at the top and the bottom if `is_closed`.
 Quad_grid ring(const int width, const int height, const int shift, const bool is_closed)
 {
@@ -405,6 +460,29 @@ TEST(T_mesh, random_planar_domains)
     if(random() % 2 == 0)
       mark_some_nodes(grid, 5, random);
     expect_consistent(quads, grid, random);
+  }
+}
+
+// Many traces run through one face. They cross at different times, since no two lengths are equal.
+TEST(T_mesh, random_planar_domains_with_large_faces)
+{
+  std::mt19937 random(10);
+  for(int repetition = 0; repetition < 300; ++repetition)
+  {
+    const std::size_t width = 3 + random() % 8, height = 3 + random() % 8;
+    Pixels domain(width, std::vector<bool>(height));
+    for(std::vector<bool>& column : domain)
+      for(std::size_t y = 0; y < height; ++y)
+        column[y] = random() % 8 != 0;
+    const std::vector<std::int64_t> widths = random_sizes(width, true, random);
+    const std::vector<std::int64_t> heights = random_sizes(height, true, random);
+    const Quad_grid fine = planar_domain(domain, widths, heights);
+    Quad_grid coarse = fine;
+    add_blocks(coarse, domain, widths, heights, random);
+    Grid_map grid = grid_map(coarse, random);
+    change_charts(grid, 30, random);
+    set_lengths(grid, unit);
+    expect_cells_of_simulation(fine, grid_map(fine, random), t_meshes(grid));
   }
 }
 
