@@ -298,7 +298,8 @@ inline void move_vertices(Grid_map& grid, const std::int64_t largest, const bool
 // Turns and moves the charts of all faces.
 inline void change_charts(Grid_map& grid, const int shift_bits, std::mt19937& random)
 {
-  const auto coordinate = [&] { return std::int64_t(random() % 2048 - 1024) << shift_bits; };
+  const std::int64_t step = std::int64_t(1) << shift_bits;
+  const auto coordinate = [&] { return (static_cast<std::int64_t>(random() % 2048) - 1024) * step; };
   std::vector<int> turns;
   for(int f = 0; f < grid.surface.number_of_faces(); ++f)
   {

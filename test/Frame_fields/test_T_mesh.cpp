@@ -71,7 +71,7 @@ void add_blocks(Quad_grid& grid, const Pixels& domain, const std::vector<std::in
   int next_vertex = (columns + 1) * (rows + 1);
   for(int attempt = 0; attempt < 20; ++attempt)
   {
-    const int w = 1 + static_cast<int>(random() % 4), h = 1 + static_cast<int>(random() % 4);
+    const int w = 2 + static_cast<int>(random() % 5), h = 2 + static_cast<int>(random() % 5);
     if(w > columns || h > rows)
       continue;
     const int x0 = static_cast<int>(random() % (columns - w + 1)), y0 = static_cast<int>(random() % (rows - h + 1));
@@ -473,7 +473,7 @@ TEST(T_mesh, random_planar_domains_with_large_faces)
     Pixels domain(width, std::vector<bool>(height));
     for(std::vector<bool>& column : domain)
       for(std::size_t y = 0; y < height; ++y)
-        column[y] = random() % 8 != 0;
+        column[y] = random() % 16 != 0;
     const std::vector<std::int64_t> widths = random_sizes(width, true, random);
     const std::vector<std::int64_t> heights = random_sizes(height, true, random);
     const Quad_grid fine = planar_domain(domain, widths, heights);
