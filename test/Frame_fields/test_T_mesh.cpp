@@ -57,59 +57,42 @@ Quad_grid rectangle(const int width, const int height)
   return planar_domain(Pixels(width, std::vector<bool>(height, true)), equal_sizes(width), equal_sizes(height));
 }
 
-// Takes blocks of pixels of a planar domain together, wherever there is room for a block at a random place.
-void add_blocks(Quad_grid& grid, const Pixels& domain, const std::vector<std::int64_t>& widths,
-                const std::vector<std::int64_t>& heights, std::mt19937& random)
+// Takes all pixels but the outer ones together to a block, with the vertices only that it shares with others.
+void make_room(Quad_grid& grid, const std::vector<std::int64_t>& widths, const std::vector<std::int64_t>& heights,
+               std::mt19937& random)
 {
   const int columns = static_cast<int>(widths.size()), rows = static_cast<int>(heights.size());
-  std::vector<std::vector<int> > quad(columns, std::vector<int>(rows, -1));
-  int number = 0;
-  for(int x = 0; x < columns; ++x)
-    for(int y = 0; y < rows; ++y)
-      if(domain[x][y])
-        quad[x][y] = number++;
-  int next_vertex = (columns + 1) * (rows + 1);
-  for(int attempt = 0; attempt < 20; ++attempt)
+  std::set<int> vertices_of_others;
+  for(int q = 0; q < static_cast<int>(grid.vertices.size()); ++q)
   {
-    const int w = 2 + static_cast<int>(random() % 5), h = 2 + static_cast<int>(random() % 5);
-    if(w > columns || h > rows)
-      continue;
-    const int x0 = static_cast<int>(random() % (columns - w + 1)), y0 = static_cast<int>(random() % (rows - h + 1));
-    bool has_room = true;
-    for(int i = 0; i < w * h; ++i)
-    {
-      const int q = quad[x0 + i % w][y0 + i / w];
-      has_room = has_room && q >= 0 && grid.quads_in_blocks.count(q) == 0;
-    }
-    if(!has_room)
-      continue;
-    for(int i = 0; i < w * h; ++i)
-      grid.quads_in_blocks.insert(quad[x0 + i % w][y0 + i / w]);
-
-    Quad_grid::Block block = { next_vertex++, {}, {} };
-    int x = 0, y = 0;
-    Grid_point point = { 0, 0 };
-    for(int i = 0; i < 2 * (w + h); ++i)
-    {
-      const bool is_corner = (x == 0 || x == w) && (y == 0 || y == h);
-      const int side = y == 0 && x > 0 ? 4 * quad[x0 + x - 1][y0]
-                     : x == w && y > 0 ? 4 * quad[x0 + w - 1][y0 + y - 1] + 1
-                     : y == h ? 4 * quad[x0 + x][y0 + h - 1] + 2 : 4 * quad[x0][y0 + y] + 3;
-      block.corners.push_back({ x0 + x + (columns + 1) * (y0 + y), side, point, is_corner ? 1 : 2 });
-      if(x == w && y == h)
-        block.center = { 1 + static_cast<std::int64_t>(random() % (point[0] - 1)),
-                         1 + static_cast<std::int64_t>(random() % (point[1] - 1)) };
-      if(y == 0 && x < w)
-        point[0] += widths[x0 + x++];
-      else if(x == w && y < h)
-        point[1] += heights[y0 + y++];
-      else if(y == h && x > 0)
-        point[0] -= widths[x0 + --x];
-      else
-        point[1] -= heights[y0 + --y];
-    }
-    grid.blocks.push_back(block);
+    const int x = grid.vertices[q][0] % (columns + 1), y = grid.vertices[q][0] / (columns + 1);
+    if(x > 0 && y > 0 && x + 1 < columns && y + 1 < rows)
+      grid.quads_in_blocks.insert(q);
+    else
+      vertices_of_others.insert(grid.vertices[q].begin(), grid.vertices[q].end());
   }
+  Quad_grid::Block block = { (columns + 1) * (rows + 1), { 0, 0 }, {} };
+  int x = 1, y = 1;
+  Grid_point point = { 0, 0 };
+  do
+  {
+    const bool is_corner = (x == 1 || x == columns - 1) && (y == 1 || y == rows - 1);
+    const int vertex = x + (columns + 1) * y;
+    if(is_corner || vertices_of_others.count(vertex) > 0)
+      block.corners.push_back({ vertex, 0, point, is_corner ? 1 : 2 });
+    if(x == columns - 1 && y == rows - 1)
+      block.center = { 1 + static_cast<std::int64_t>(random() % (point[0] - 1)),
+                       1 + static_cast<std::int64_t>(random() % (point[1] - 1)) };
+    if(y == 1 && x + 1 < columns)
+      point[0] += widths[x++];
+    else if(x + 1 == columns && y + 1 < rows)
+      point[1] += heights[y++];
+    else if(y + 1 == rows && x > 1)
+      point[0] -= widths[--x];
+    else
+      point[1] -= heights[--y];
+  } while(x != 1 || y != 1);
+  grid.blocks.push_back(block);
 }
 
 // Glued at the left and at the right, where `shift` rows are left out; also at the top and the bottom if `is_closed`.
@@ -463,22 +446,27 @@ TEST(T_mesh, random_planar_domains)
   }
 }
 
-// Many traces run through one face. They cross at different times, since no two lengths are equal.
-TEST(T_mesh, random_planar_domains_with_large_faces)
+// Traces from notches in the walls of a room run through few faces. They cross at different times, since no two lengths
+// are equal.
+TEST(T_mesh, rooms_with_notches)
 {
   std::mt19937 random(10);
   for(int repetition = 0; repetition < 300; ++repetition)
   {
-    const std::size_t width = 3 + random() % 8, height = 3 + random() % 8;
-    Pixels domain(width, std::vector<bool>(height));
-    for(std::vector<bool>& column : domain)
+    const std::size_t width = 3 + random() % 12, height = 3 + random() % 12;
+    Pixels domain(width, std::vector<bool>(height, true));
+    for(std::size_t x = 0; x < width; ++x)
       for(std::size_t y = 0; y < height; ++y)
-        column[y] = random() % 16 != 0;
+      {
+        const bool is_at_side = x == 0 || x + 1 == width, is_at_end = y == 0 || y + 1 == height;
+        if(is_at_side || is_at_end)
+          domain[x][y] = is_at_side != is_at_end && random() % 3 == 0;
+      }
     const std::vector<std::int64_t> widths = random_sizes(width, true, random);
     const std::vector<std::int64_t> heights = random_sizes(height, true, random);
     const Quad_grid fine = planar_domain(domain, widths, heights);
     Quad_grid coarse = fine;
-    add_blocks(coarse, domain, widths, heights, random);
+    make_room(coarse, widths, heights, random);
     Grid_map grid = grid_map(coarse, random);
     change_charts(grid, 30, random);
     set_lengths(grid, unit);
