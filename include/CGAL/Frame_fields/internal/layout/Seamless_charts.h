@@ -20,6 +20,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -166,6 +168,28 @@ public:
   {
     const Grid_vector vector = edge(halfedge), difference = p - point(halfedge);
     return sign_of_determinant(vector.u, vector.v, difference.u, difference.v);
+  }
+
+  // Bounds of the coordinate that grows or falls along the line of a ray, in a face through which it runs. The rounding
+  // errors are below 8 steps of the grid, since coordinates are below 2^50.
+  std::pair<std::int64_t, std::int64_t> range_in_face(const int face, const Grid_ray& ray) const
+  {
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
+    {
+      const double at_source = static_cast<double>(ray.offset(point(previous_of(halfedge))));
+      const double at_target = static_cast<double>(ray.offset(point(halfedge)));
+      if((at_source < 0 && at_target < 0) || (at_source > 0 && at_target > 0))
+        continue;
+      const double share = at_target == at_source ? 0 : at_target / (at_target - at_source);
+      const double progress = static_cast<double>(along(ray.direction & 1, edge(halfedge)));
+      const double coordinate = static_cast<double>(along(ray.direction & 1, point(halfedge))) - share * progress;
+      first = (std::min)(first, coordinate);
+      last = (std::max)(last, coordinate);
+    }
+    if(first > last)
+      return { 1, 0 };
+    return { static_cast<std::int64_t>(std::floor(first)) - 8, static_cast<std::int64_t>(std::ceil(last)) + 8 };
   }
 
   // The face into which a ray goes from its origin, a point inside `face` or inside an unconstrained edge of it, or to

@@ -21,7 +21,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,7 +59,6 @@ public:
       if(is_node[sector - patch.sectors.begin_index])
         add_sector(sector);
     collect_stops(motorcycles);
-    sort_trace_stops();
     collect_border_stops();
   }
 
@@ -100,59 +101,67 @@ private:
 
   void collect_stops(const Motorcycle_graph& motorcycles)
   {
-    std::vector<T_mesh_location> locations; // per stop
-    const auto add = [&](const T_mesh_location& location, const Trace_stop& stop)
-    {
-      locations.push_back(location);
-      m_trace_stops.push_back(stop);
-    };
     for(int t = 0; t < static_cast<int>(motorcycles.traces().size()); ++t)
     {
       const Trace& trace = motorcycles.traces()[t];
-      add({ trace.start_sector, -1, -1, {} }, { t, 0, -1, trace.start_slot, -1 });
+      add_stop({ t, 0, -1, trace.start_slot, -1 }, { trace.start_sector, -1, -1, {} });
       if(trace.end == Trace::ON_BORDER)
-        add(trace.end_on_border, { t, trace.double_time_of_end, -1, -1, 1 });
+        add_stop({ t, trace.double_time_of_end, -1, -1, 1 }, trace.end_on_border);
     }
     for(const Motorcycle_graph::Crossing& crossing : motorcycles.crossings())
     {
       const Trace_passing& passing = crossing.first;
-      add(crossing.second, { passing.trace, 2 * passing.time, -1, passing.slot, (passing.slot + 2) & 3 });
+      add_stop({ passing.trace, 2 * passing.time, -1, passing.slot, (passing.slot + 2) & 3 }, crossing.second);
     }
-    add_nodes_of_stops(locations);
+    add_nodes_of_stops();
   }
 
-  void add_nodes_of_stops(const std::vector<T_mesh_location>& locations)
+  void add_stop(const Trace_stop& stop, const T_mesh_location& location)
   {
-    const auto key = [&](const int i)
+    m_trace_stops.push_back(stop);
+    m_locations.push_back(location);
+  }
+
+  static std::tuple<int, int, int, std::int64_t, std::int64_t> key_of(const T_mesh_location& l)
+  {
+    return std::make_tuple(l.sector, l.halfedge, l.sector < 0 ? l.face : -1, l.sector < 0 ? l.point.u : 0,
+                           l.sector < 0 ? l.point.v : 0);
+  }
+
+  // Nodes are numbered along the traces, whatever the charts are.
+  void add_nodes_of_stops()
+  {
+    const auto key_of_stop = [this](const int i)
     {
-      const T_mesh_location& l = locations[i];
-      return std::make_tuple(l.halfedge, l.face, l.point.u, l.point.v);
+      return std::make_pair(m_trace_stops[i].trace, m_trace_stops[i].double_time);
     };
-    std::vector<int> order;
-    for(int i = 0; i < static_cast<int>(locations.size()); ++i)
+    std::vector<int> by_trace(m_trace_stops.size());
+    std::iota(by_trace.begin(), by_trace.end(), 0);
+    std::sort(by_trace.begin(), by_trace.end(),
+              [&](const int i, const int j) { return key_of_stop(i) < key_of_stop(j); });
+    std::vector<int> by_location = by_trace;
+    std::stable_sort(by_location.begin(), by_location.end(),
+                     [&](const int i, const int j) { return key_of(m_locations[i]) < key_of(m_locations[j]); });
+    std::vector<int> first_at_location(m_trace_stops.size());
+    for(std::size_t k = 0; k < by_location.size(); ++k)
     {
-      if(locations[i].sector >= 0)
-        m_trace_stops[i].node = add_sector(locations[i].sector);
-      else
-        order.push_back(i);
+      const bool is_new = k == 0 || key_of(m_locations[by_location[k - 1]]) != key_of(m_locations[by_location[k]]);
+      first_at_location[by_location[k]] = is_new ? by_location[k] : first_at_location[by_location[k - 1]];
     }
-    std::sort(order.begin(), order.end(), [&](const int i, const int j) { return key(i) < key(j); });
-    for(std::size_t k = 0; k < order.size(); ++k)
-    {
-      const bool is_new = k == 0 || key(order[k - 1]) != key(order[k]);
-      m_trace_stops[order[k]].node = is_new ? add_node(locations[order[k]]) : m_trace_stops[order[k - 1]].node;
-    }
-  }
 
-  // A crossing may be found in several faces.
-  void sort_trace_stops()
-  {
-    const auto key = [](const Trace_stop& s) { return std::make_tuple(s.trace, s.double_time, s.node); };
-    std::sort(m_trace_stops.begin(), m_trace_stops.end(),
-              [&](const Trace_stop& a, const Trace_stop& b) { return key(a) < key(b); });
-    m_trace_stops.erase(std::unique(m_trace_stops.begin(), m_trace_stops.end(),
-                                    [&](const Trace_stop& a, const Trace_stop& b) { return key(a) == key(b); }),
-                        m_trace_stops.end());
+    std::vector<Trace_stop> sorted;
+    for(const int i : by_trace)
+    {
+      Trace_stop& stop = m_trace_stops[i];
+      const int first = first_at_location[i];
+      const T_mesh_location& location = m_locations[i];
+      stop.node = first != i ? m_trace_stops[first].node
+                : location.sector >= 0 ? add_sector(location.sector) : add_node(location);
+      if(sorted.empty() || sorted.back().trace != stop.trace || sorted.back().node != stop.node
+         || sorted.back().double_time != stop.double_time) // a crossing may be found in several faces
+        sorted.push_back(stop);
+    }
+    m_trace_stops.swap(sorted);
   }
 
   void collect_border_stops()
@@ -183,6 +192,7 @@ private:
   std::vector<T_mesh_node> m_nodes;
   std::vector<int> m_node_of_sector;     // per sector of the patch
   std::vector<Trace_stop> m_trace_stops;
+  std::vector<T_mesh_location> m_locations; // per stop as they were found
   std::vector<Border_stop> m_border_stops;
   std::vector<int> m_first_border_stop;  // per halfedge of the patch, and behind the last one
 };

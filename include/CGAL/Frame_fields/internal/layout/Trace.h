@@ -56,7 +56,6 @@ struct Trace_segment
   int trace, face;
   Grid_ray ray;             // the trace in the chart of the face
   double time_of_exit = 0;
-  int next_in_face = -1;
   int next_in_trace = -1;
 };
 

@@ -34,7 +34,7 @@ public:
   Trace_encounters(const Seamless_charts& charts, const Patch& patch, const std::vector<Trace>& traces,
                    Trace_event_queue& queue)
     : m_charts(charts), m_surface(charts.surface()), m_patch(patch), m_traces(traces), m_queue(queue)
-    , m_first_in_face(patch.faces.size(), -1), m_first_at_vertex(patch.sectors.size(), -1) {}
+    , m_lines(2 * static_cast<std::size_t>(patch.faces.size())), m_first_at_vertex(patch.sectors.size(), -1) {}
 
   const std::vector<Trace_segment>& segments() const { return m_segments; }
   std::vector<Trace_segment>& segments() { return m_segments; }
@@ -42,11 +42,20 @@ public:
 
   void add_segment(const int trace, const int face, const Grid_ray& ray)
   {
-    int& first = m_first_in_face[face - m_patch.faces.begin_index];
-    for(int other = first; other >= 0; other = m_segments[other].next_in_face)
-      compare(face, trace, ray, m_segments[other].trace, m_segments[other].ray);
-    m_segments.push_back({ trace, face, ray, 0, first, -1 });
-    first = static_cast<int>(m_segments.size()) - 1;
+    const int segment = static_cast<int>(m_segments.size());
+    m_segments.push_back({ trace, face, ray });
+    std::vector<Line>& parallels = lines(face, ray.direction);
+    const Line line = { constant(ray), segment };
+    for(auto other = first_from(parallels, line.constant);
+        other != parallels.end() && other->constant == line.constant; ++other)
+      compare_on_line(segment, other->segment);
+    parallels.insert(std::upper_bound(parallels.begin(), parallels.end(), line), line);
+
+    const std::pair<std::int64_t, std::int64_t> range = m_charts.range_in_face(face, ray);
+    const std::vector<Line>& perpendiculars = lines(face, ray.direction + 1);
+    for(auto other = first_from(perpendiculars, range.first);
+        other != perpendiculars.end() && other->constant <= range.second; ++other)
+      cross_in_face(segment, other->segment);
   }
 
   // A trace comes to the vertex of a sector in a direction of the chart of the first corner.
@@ -56,11 +65,8 @@ public:
     for(int other = first; other >= 0; other = m_arrivals[other].second)
     {
       const Trace_passing& arrival = m_arrivals[other].first;
-      const int turn = (passing.slot - arrival.slot) & 3;
       ++m_number_of_comparisons;
-      if(turn == 2)
-        push_meeting(passing.trace, arrival.trace, passing.time + arrival.time);
-      else if(turn != 0)
+      if((passing.slot - arrival.slot) % 2 != 0) // traces on one line have segments in the same faces
         push_crossing(passing, arrival, vertex);
     }
     m_arrivals.push_back({ passing, first });
@@ -68,22 +74,49 @@ public:
   }
 
 private:
-  void compare(const int face, const int a, const Grid_ray& ray_a, const int b, const Grid_ray& ray_b)
+  // A segment by the coordinate that is constant on it.
+  struct Line
+  {
+    std::int64_t constant;
+    int segment;
+
+    bool operator<(const Line& other) const
+    {
+      return std::make_pair(constant, segment) < std::make_pair(other.constant, other.segment);
+    }
+  };
+
+  static std::int64_t constant(const Grid_ray& ray)
+  {
+    return ray.direction % 2 == 0 ? ray.origin.v : ray.origin.u;
+  }
+
+  static std::vector<Line>::const_iterator first_from(const std::vector<Line>& lines, const std::int64_t constant)
+  {
+    return std::lower_bound(lines.begin(), lines.end(), Line{ constant, -1 });
+  }
+
+  std::vector<Line>& lines(const int face, const int direction)
+  {
+    return m_lines[2 * static_cast<std::size_t>(face - m_patch.faces.begin_index) + direction % 2];
+  }
+
+  void compare_on_line(const int a, const int b)
   {
     ++m_number_of_comparisons;
-    if((ray_a.direction - ray_b.direction) % 2 != 0)
-      cross_in_face(face, a, ray_a, b, ray_b);
-    else if(ray_a.direction != ray_b.direction && ray_a.offset(ray_b.origin) == 0)
-      push_meeting(a, b, ray_a.time(ray_b.origin));
+    const Trace_segment &first = m_segments[a], &second = m_segments[b];
+    if(first.ray.direction != second.ray.direction)
+      push_meeting(first.trace, second.trace, first.ray.time(second.ray.origin));
   }
 
   // Vertices have their own lists. A point on an edge gets the chart of the smaller one of its halfedges.
-  void cross_in_face(const int face, const int a, const Grid_ray& ray_a, const int b, const Grid_ray& ray_b)
+  void cross_in_face(const int a, const int b)
   {
+    ++m_number_of_comparisons;
+    const int face = m_segments[a].face;
+    const Grid_ray &ray_a = m_segments[a].ray, &ray_b = m_segments[b].ray;
     const Grid_vector point = ray_a.direction % 2 == 0 ? Grid_vector{ ray_b.origin.u, ray_a.origin.v }
                                                        : Grid_vector{ ray_a.origin.u, ray_b.origin.v };
-    if(ray_a.time(point) <= 0 || ray_b.time(point) <= 0)
-      return;
     T_mesh_location location = { -1, -1, face, point };
     int edge = -1, number_of_edges = 0;
     for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
@@ -105,8 +138,8 @@ private:
       location = { -1, -1, face_of(m_surface.opposite[edge]), m_charts.point_across(edge, point) };
       turns = m_charts.direction_across(edge, 0);
     }
-    push_crossing({ a, ray_a.time(point), (ray_a.direction + turns) & 3 },
-                  { b, ray_b.time(point), (ray_b.direction + turns) & 3 }, location);
+    push_crossing({ m_segments[a].trace, ray_a.time(point), (ray_a.direction + turns) & 3 },
+                  { m_segments[b].trace, ray_b.time(point), (ray_b.direction + turns) & 3 }, location);
   }
 
   // Two traces on one line, against each other; `distance` is that of their starts, negative if they run apart.
@@ -132,7 +165,7 @@ private:
   const std::vector<Trace>& m_traces;
   Trace_event_queue& m_queue;
   std::vector<Trace_segment> m_segments;
-  std::vector<int> m_first_in_face;                       // per face of the patch: the last segment added
+  std::vector<std::vector<Line> > m_lines;                // per face of the patch: along u and along v, sorted
   std::vector<std::pair<Trace_passing, int> > m_arrivals; // and the one before at the same vertex
   std::vector<int> m_first_at_vertex;                     // per sector of the patch: the last arrival
   std::size_t m_number_of_comparisons = 0;
