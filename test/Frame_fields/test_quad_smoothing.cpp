@@ -455,12 +455,13 @@ TEST(Quad_measures, figures_of_a_grid_with_a_hole)
   EXPECT_EQ(quality.maximum_edge_length, 1);
   EXPECT_NEAR(quality.mean_edge_length, 1, 1e-15);
 
-  // Without quad 60 its corners have a sector of 270 degrees with three quads; a vertex moved over its neighbour inverts two.
+  // Without quad 60 its corners have a sector of 270 degrees with three quads.
   complex.quads.erase(complex.quads.begin() + 60);
   complex.patch.pop_back();
   std::vector<Coordinates> points = soup.points;
   quality = measure_quads(polygon_mesh(complex, points));
   EXPECT_EQ(quality.number_of_irregular_vertices + quality.number_of_irregular_sectors, 0u);
+  // A vertex that is moved over its neighbour inverts two quads.
   points[14 * 2] = { points[14 * 2][0] + 1.5, points[14 * 2][1], 0 };
   quality = measure_quads(polygon_mesh(complex, points));
   EXPECT_EQ(quality.number_of_inverted_quads, 2u);
