@@ -10,7 +10,6 @@ namespace test {
 
 namespace {
 
-constexpr double default_sharp_corner_bound = 135 * degree;
 constexpr double default_maximum_skewness = 0.45 * 180 * degree;
 
 bool is_finite(const std::vector<double>& values)
@@ -64,7 +63,7 @@ std::string broken_facts(const Cut& cut, const Field& field)
   broken << unmeshable_sectors(cut, field.index);
   if(static_cast<std::size_t>(cut.number_of_patches) != field.statistics.number_of_patches)
     broken << field.statistics.number_of_patches << " patches instead of " << cut.number_of_patches << "\n";
-  const std::size_t corners = constrained_sectors_below(cut, default_sharp_corner_bound).size();
+  const std::size_t corners = constrained_sectors_below(cut, sharp_corner_bound).size();
   if(corners != field.statistics.number_of_sharp_corners)
     broken << field.statistics.number_of_sharp_corners << " sharp corners instead of " << corners << "\n";
   return broken.str();

@@ -70,7 +70,7 @@ std::map<int, int> distances_from(const int corner, const std::vector<std::vecto
 
 double rotation_demand(const double theta)
 {
-  const double quarters = (std::max)(1., std::floor(2 * theta / pi + 0.5));
+  const double quarters = (std::max)(1., std::floor(2 * (theta + angle_tolerance) / pi + 0.5));
   return theta - quarters * pi / 2;
 }
 
@@ -226,21 +226,30 @@ double largest_misalignment_in_space(const Cut& cut, const Field& field)
   return largest(angles);
 }
 
-std::vector<double> rotation_demand_of_rings(const Cut& cut, const int number_of_rings, const double bound)
+bool is_corner(const Cut& cut, const int s, const Corner_bounds& bounds)
+{
+  const bool is_blunt = cut.theta[s] >= 135 * degree - angle_tolerance
+                     && std::abs(cut.theta[s] - 180 * degree) > bounds.blunt;
+  return cut.is_constrained_sector[s] && (cut.theta[s] < bounds.sharp || is_blunt);
+}
+
+std::vector<double> rotation_demand_of_rings(const Cut& cut, const int number_of_rings, const Corner_bounds& bounds)
 {
   const std::vector<std::vector<int> > neighbors = neighbors_of_sectors(cut);
   std::vector<double> demand(cut.number_of_sectors(), 0);
-  for(const int corner : constrained_sectors_below(cut, bound))
+  for(int corner = 0; corner < cut.number_of_sectors(); ++corner)
   {
+    if(!is_corner(cut, corner, bounds))
+      continue;
     const std::map<int, int> distance = distances_from(corner, neighbors);
     int reach = std::numeric_limits<int>::max();
     for(const auto& [s, d] : distance)
-      if(!cut.is_sharp(s, bound))
+      if(!is_corner(cut, s, bounds))
         reach = (std::min)(reach, d);
     reach = (std::max)(reach, number_of_rings);
     std::vector<int> receivers;
     for(const auto& [s, d] : distance)
-      if(!cut.is_sharp(s, bound) && d <= reach)
+      if(!is_corner(cut, s, bounds) && d <= reach)
         receivers.push_back(s);
 
     const double wanted = rotation_demand(cut.theta[corner]);
@@ -251,21 +260,21 @@ std::vector<double> rotation_demand_of_rings(const Cut& cut, const int number_of
   return demand;
 }
 
-std::vector<double> rotation_demand_of_component(const Cut& cut, const double bound)
+std::vector<double> rotation_demand_of_component(const Cut& cut, const Corner_bounds& bounds)
 {
   std::vector<int> patch_of_sector(cut.number_of_sectors());
   for(int h = 0; h < cut.number_of_halfedges(); ++h)
     patch_of_sector[cut.sector[h]] = cut.patch[face_of(h)];
   std::vector<double> total(cut.number_of_patches, 0), number_of_receivers(cut.number_of_patches, 0);
   for(int s = 0; s < cut.number_of_sectors(); ++s)
-    if(cut.is_sharp(s, bound))
+    if(is_corner(cut, s, bounds))
       total[patch_of_sector[s]] += rotation_demand(cut.theta[s]);
     else
       ++number_of_receivers[patch_of_sector[s]];
   std::vector<double> demand;
   for(int s = 0; s < cut.number_of_sectors(); ++s)
-    demand.push_back(cut.is_sharp(s, bound) ? rotation_demand(cut.theta[s])
-                                            : -total[patch_of_sector[s]] / number_of_receivers[patch_of_sector[s]]);
+    demand.push_back(is_corner(cut, s, bounds) ? rotation_demand(cut.theta[s])
+                                               : -total[patch_of_sector[s]] / number_of_receivers[patch_of_sector[s]]);
   return demand;
 }
 

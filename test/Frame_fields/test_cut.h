@@ -7,6 +7,7 @@
 #include <CGAL/Frame_fields/Statistics.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 // What the tests know of a mesh and a field without the library's own arrays: halfedges are numbered 3f, 3f+1, 3f+2 in
@@ -70,9 +71,17 @@ double largest_index_error(const Cut& cut, const std::vector<double>& alpha, con
 double largest_misalignment(const Cut& cut, const Field& field);
 double largest_misalignment_in_space(const Cut& cut, const Field& field);
 
+// The sectors whose natural index is prescribed: sharp corners below a bound, and blunt ones, of two quadrangles or more,
+// that differ from a straight angle by more than another bound.
+struct Corner_bounds
+{
+  double sharp, blunt = std::numeric_limits<double>::infinity();
+};
+bool is_corner(const Cut& cut, int s, const Corner_bounds& bounds);
+
 // K of the strategies `rings(k)` and `component`.
-std::vector<double> rotation_demand_of_rings(const Cut& cut, int number_of_rings, double bound);
-std::vector<double> rotation_demand_of_component(const Cut& cut, double bound);
+std::vector<double> rotation_demand_of_rings(const Cut& cut, int number_of_rings, const Corner_bounds& bounds);
+std::vector<double> rotation_demand_of_component(const Cut& cut, const Corner_bounds& bounds);
 
 // omega has least norm if it is orthogonal to every cycle, that is, lambda(target) - lambda(source) for some lambda on
 // the sectors: the largest deviation from such a form.
@@ -95,8 +104,12 @@ Relaxation relaxation(const Cut& cut, const Field& orthogonal, const Field& rela
 double largest_branch_distance(const std::vector<std::array<Vector, 4> >& before,
                                const std::vector<std::array<Vector, 4> >& after);
 
-// The default bound.
-constexpr double sharp_corner_bound = 135 * degree;
+// Angles that differ by less count as equal where they decide on a number of quadrangles.
+constexpr double angle_tolerance = 1e-3;
+
+// The default bounds.
+constexpr double sharp_corner_bound = 135 * degree - angle_tolerance;
+constexpr Corner_bounds corner_bounds{ sharp_corner_bound, 22.5 * degree + angle_tolerance };
 
 // What holds for each field of the default bound: exact indices, alignment, and the largest skewness.
 void expect_valid_field(const Cut& cut, const Field& field);

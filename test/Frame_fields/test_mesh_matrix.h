@@ -143,7 +143,7 @@ TYPED_TEST_P(Every_mesh_type, has_an_aligned_field_with_exact_indices)
     expect_valid_field(cut, field);
     EXPECT_EQ(0, number_of_unmeshable_sectors(cut, field.index));
     EXPECT_LT(largest_difference(cut.sums_around_sectors(field.omega),
-                                 rotation_demand_of_rings(cut, 4, sharp_corner_bound)), 1e-10);
+                                 rotation_demand_of_rings(cut, 4, corner_bounds)), 1e-10);
   }
 }
 

@@ -33,8 +33,9 @@ namespace internal {
 class Hub_rings
 {
 public:
-  Hub_rings(const Cut_surface& surface, const Patch& patch, const int number_of_rings, const double bound)
-    : m_surface(surface), m_patch(patch), m_number_of_rings(number_of_rings), m_bound(bound)
+  Hub_rings(const Cut_surface& surface, const Patch& patch, const int number_of_rings,
+            const Corner_bounds& bounds)
+    : m_surface(surface), m_patch(patch), m_number_of_rings(number_of_rings), m_bounds(bounds)
     , m_hub(patch.sectors.size(), -1)
   {
     std::vector<int> number_of_corners(patch.sectors.size(), 0);
@@ -68,7 +69,7 @@ public:
     Shared_receivers& shared = shared_receivers(reach);
     std::vector<int> others;
     for(const int s : visited)
-      if(!is_around_hubs(s, reach) && !is_sharp_corner(m_surface, s, m_bound))
+      if(!is_around_hubs(s, reach) && !is_prescribed_corner(m_surface, s, m_bounds))
         others.push_back(s);
     const std::size_t number_of_receivers = shared.sectors.size() + others.size();
     if(number_of_receivers == 0)
@@ -181,7 +182,7 @@ private:
     const auto [place, is_new] = m_shared.emplace(reach, Shared_receivers());
     if(is_new)
       for(int s = m_patch.sectors.begin_index; s < m_patch.sectors.end_index; ++s)
-        if(is_around_hubs(s, reach) && !is_sharp_corner(m_surface, s, m_bound))
+        if(is_around_hubs(s, reach) && !is_prescribed_corner(m_surface, s, m_bounds))
           place->second.sectors.push_back(s);
     return place->second;
   }
@@ -189,7 +190,7 @@ private:
   const Cut_surface& m_surface;
   const Patch& m_patch;
   int m_number_of_rings;
-  double m_bound;
+  Corner_bounds m_bounds;
   std::vector<int> m_hub;                           // per sector of the patch: its number as a hub, or -1
   std::vector<std::vector<int> > m_ring_around_hub; // per hub and sector of the patch
   std::vector<int> m_last_visit;                    // per sector of the patch

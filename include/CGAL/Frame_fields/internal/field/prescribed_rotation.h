@@ -24,6 +24,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -40,17 +41,37 @@ inline std::vector<int> sharp_corners_of_patch(const Cut_surface& surface, const
   return result;
 }
 
+inline std::vector<int> prescribed_corners_of_patch(const Cut_surface& surface, const Patch& patch,
+                                                    const Corner_bounds& bounds)
+{
+  std::vector<int> result;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    if(is_prescribed_corner(surface, s, bounds))
+      result.push_back(s);
+  return result;
+}
+
+// Blunt corners can do without a prescribed rotation: they must not leave a patch without any receiver.
+inline Corner_bounds bounds_that_leave_a_receiver(const Cut_surface& surface, const Patch& patch,
+                                                  const Corner_bounds& bounds)
+{
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    if(!is_prescribed_corner(surface, s, bounds))
+      return bounds;
+  return { bounds.sharp, std::numeric_limits<double>::infinity() };
+}
+
 // The naive fix of Section 3.2 of the paper.
-inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& patch, const double bound,
+inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& patch, const Corner_bounds& bounds,
                                        std::vector<double>& omega)
 {
   std::vector<double> share(patch.sectors.size(), 0);
-  for(const int corner : sharp_corners_of_patch(surface, patch, bound))
+  for(const int corner : prescribed_corners_of_patch(surface, patch, bounds))
   {
     int number_of_dual_edges = -1; // an open fan has one dual edge less than corners
     for_each_corner(surface.opposite, surface.first_corner[corner], [&](int) { ++number_of_dual_edges; });
     share[corner - patch.sectors.begin_index] =
-      rotation_demand_of_sharp_corner(surface.total_angle[corner]) / number_of_dual_edges;
+      rotation_demand_of_corner(surface.total_angle[corner]) / number_of_dual_edges;
   }
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     omega[e] = share[surface.sector[surface.dual_edges[e].halfedge] - patch.sectors.begin_index]
@@ -116,7 +137,7 @@ inline void demand_index_targets(const Cut_surface& surface, const Patch& patch,
 
 // Sets the demand of the patch. Returns false in `is_needed` if it is zero everywhere.
 inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy,
-                               const double bound, std::vector<double>& demand, bool& is_needed)
+                               const Corner_bounds& given_bounds, std::vector<double>& demand, bool& is_needed)
 {
   is_needed = true;
   if(has_index_targets(surface, patch))
@@ -127,12 +148,13 @@ inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, c
     demand_index_targets(surface, patch, demand);
     return {};
   }
-  const std::vector<int> sharp_corners = sharp_corners_of_patch(surface, patch, bound);
-  is_needed = strategy.kind() != Support_strategy::NONE && !sharp_corners.empty();
+  const Corner_bounds bounds = bounds_that_leave_a_receiver(surface, patch, given_bounds);
+  const std::vector<int> corners = prescribed_corners_of_patch(surface, patch, bounds);
+  is_needed = strategy.kind() != Support_strategy::NONE && !corners.empty();
   if(!is_needed)
     return {};
   const int corner_without_receiver =
-    spread_rotation_demand(surface, patch, sharp_corners, strategy, bound, demand);
+    spread_rotation_demand(surface, patch, corners, strategy, bounds, demand);
   if(corner_without_receiver >= 0)
     return { ERROR_NO_RECEIVING_SECTOR, corner_without_receiver };
   return {};
@@ -141,17 +163,17 @@ inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, c
 // Writes omega on the dual edges of the patch, which must be 0 before (Section 3.2 of the paper).
 template <typename SolverTraits>
 Patch_result prescribe_rotation_in_patch(const Cut_surface& surface, const Patch& patch,
-                                         const Support_strategy& strategy, const double bound,
+                                         const Support_strategy& strategy, const Corner_bounds& bounds,
                                          const SolverTraits& solver_traits, std::vector<double>& demand,
                                          std::vector<double>& omega)
 {
   if(strategy.kind() == Support_strategy::LOCAL && !has_index_targets(surface, patch))
   {
-    prescribe_rotation_locally(surface, patch, bound, omega);
+    prescribe_rotation_locally(surface, patch, bounds, omega);
     return {};
   }
   bool is_needed;
-  const Patch_result result = set_demand(surface, patch, strategy, bound, demand, is_needed);
+  const Patch_result result = set_demand(surface, patch, strategy, bounds, demand, is_needed);
   if(result.error_code != OK || !is_needed)
     return result;
   if(!least_norm_rotation(surface, patch, demand, solver_traits, omega))

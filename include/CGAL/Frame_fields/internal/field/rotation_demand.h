@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// d omega at a sharp corner: what gives it the positive quarter index nearest to its angle (eq. (3) of the paper).
-inline double rotation_demand_of_sharp_corner(const double total_angle)
+// d omega at a corner: what gives it its natural index (eq. (3) of the paper).
+inline double rotation_demand_of_corner(const double total_angle)
 {
   return total_angle - natural_number_of_quads(total_angle) * CGAL_PI / 2;
 }
@@ -87,17 +87,17 @@ private:
   int m_visit = -1;
 };
 
-inline void remove_sharp_corners(const Cut_surface& surface, const double bound, std::vector<int>& sectors)
+inline void remove_corners(const Cut_surface& surface, const Corner_bounds& bounds, std::vector<int>& sectors)
 {
   sectors.erase(std::remove_if(sectors.begin(), sectors.end(),
-                               [&](const int s) { return is_sharp_corner(surface, s, bound); }),
+                               [&](const int s) { return is_prescribed_corner(surface, s, bounds); }),
                 sectors.end());
 }
 
-// The sectors that are not sharp corners within `number_of_rings` rings of `corner`, or of the nearest further ring
+// The sectors that are not corners within `number_of_rings` rings of `corner`, or of the nearest further ring
 // that has any.
 inline std::vector<int> receivers_in_rings(const Cut_surface& surface, const int corner,
-                                           const unsigned int number_of_rings, const double bound,
+                                           const unsigned int number_of_rings, const Corner_bounds& bounds,
                                            Sector_rings& rings)
 {
   std::vector<int> receivers;
@@ -107,7 +107,7 @@ inline std::vector<int> receivers_in_rings(const Cut_surface& surface, const int
     std::vector<int> ring = rings.next();
     if(ring.empty())
       break;
-    remove_sharp_corners(surface, bound, ring);
+    remove_corners(surface, bounds, ring);
     receivers.insert(receivers.end(), ring.begin(), ring.end());
   }
   return receivers;
@@ -158,21 +158,21 @@ inline double local_feature_length(const Cut_surface& surface, const int corner)
   return (std::min)(length_forward, length_backward) / 2;
 }
 
-// A sector that gives rotation to a sharp corner, and which part of it.
+// A sector that gives rotation to a corner, and which part of it.
 struct Receiver
 {
   int sector;
   double part;
 };
 
-// The sectors that are not sharp corners among those with a share in a ball, with parts proportional to their shares.
+// The sectors that are not corners among those with a share in a ball, with parts proportional to their shares.
 inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const std::vector<Sector_share>& shares,
-                                             const double bound)
+                                             const Corner_bounds& bounds)
 {
   std::vector<Receiver> receivers;
   double total_area = 0;
   for(const Sector_share& share : shares)
-    if(!is_sharp_corner(surface, share.sector, bound))
+    if(!is_prescribed_corner(surface, share.sector, bounds))
     {
       receivers.push_back({ share.sector, share.area });
       total_area += share.area;
@@ -182,13 +182,13 @@ inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const s
   return receivers;
 }
 
-inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const int corner, const double bound,
-                                              Geodesic_distances& distances)
+inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const int corner,
+                                              const Corner_bounds& bounds, Geodesic_distances& distances)
 {
   std::vector<Receiver> receivers;
   distances.walk_from(corner, [&](const int sector, double)
   {
-    if(!is_sharp_corner(surface, sector, bound))
+    if(!is_prescribed_corner(surface, sector, bounds))
       receivers.push_back({ sector, 1 });
     return receivers.empty();
   });
@@ -204,45 +204,46 @@ inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
   return result;
 }
 
-// Finds the receivers of the sharp corners of one patch, one corner after the other.
+// Finds the receivers of the corners of one patch, one corner after the other.
 class Receiver_search
 {
 public:
-  Receiver_search(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy, const double bound)
-    : m_surface(surface), m_strategy(strategy), m_bound(bound), m_rings(surface, patch), m_distances(surface, patch)
+  Receiver_search(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy,
+                  const Corner_bounds& bounds)
+    : m_surface(surface), m_strategy(strategy), m_bounds(bounds), m_rings(surface, patch), m_distances(surface, patch)
     , m_ball(surface, m_distances)
   {}
 
   std::vector<Receiver> receivers_of(const int corner)
   {
     if(m_strategy.kind() == Support_strategy::RINGS)
-      return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bound, m_rings));
+      return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bounds, m_rings));
     const double radius = m_strategy.support_radius() / m_surface.length_unit;
     const std::vector<Sector_share> shares =
       radius > 0 ? m_ball.shares_within(corner, radius)
                  : m_ball.shares_in_wedge(corner, local_feature_length(m_surface, corner));
-    const std::vector<Receiver> receivers = receivers_among(m_surface, shares, m_bound);
-    return receivers.empty() ? nearest_receiver(m_surface, corner, m_bound, m_distances) : receivers;
+    const std::vector<Receiver> receivers = receivers_among(m_surface, shares, m_bounds);
+    return receivers.empty() ? nearest_receiver(m_surface, corner, m_bounds, m_distances) : receivers;
   }
 
 private:
   const Cut_surface& m_surface;
   const Support_strategy& m_strategy;
-  double m_bound;
+  Corner_bounds m_bounds;
   Sector_rings m_rings;
   Geodesic_distances m_distances;
   Geodesic_ball m_ball;
 };
 
-// Adds to `demand` (K of the paper) what the sharp corners of the patch ask for and takes it from their receivers.
-// Returns -1, or a sharp corner that has no receiver; the strategies `none` and `local` have no demand.
+// Adds to `demand` (K of the paper) what the corners of the patch ask for and takes it from their receivers.
+// Returns -1, or a corner that has no receiver; the strategies `none` and `local` have no demand.
 inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch,
-                                  const std::vector<int>& sharp_corners, const Support_strategy& strategy,
-                                  const double bound, std::vector<double>& demand)
+                                  const std::vector<int>& corners, const Support_strategy& strategy,
+                                  const Corner_bounds& bounds, std::vector<double>& demand)
 {
   const auto demand_of = [&](const int corner)
   {
-    return rotation_demand_of_sharp_corner(surface.total_angle[corner]);
+    return rotation_demand_of_corner(surface.total_angle[corner]);
   };
   const auto take_from = [&](const std::vector<Receiver>& receivers, const double rotation)
   {
@@ -255,20 +256,20 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
     std::vector<int> receivers;
     for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
       receivers.push_back(s);
-    remove_sharp_corners(surface, bound, receivers);
+    remove_corners(surface, bounds, receivers);
     if(receivers.empty())
-      return sharp_corners.front();
+      return corners.front();
     double sum = 0;
-    for(const int corner : sharp_corners)
+    for(const int corner : corners)
       sum += (demand[corner] = demand_of(corner));
     take_from(in_equal_parts(receivers), sum);
     return -1;
   }
 
-  Receiver_search search(surface, patch, strategy, bound);
+  Receiver_search search(surface, patch, strategy, bounds);
   const int number_of_rings = static_cast<int>((std::min)(strategy.number_of_rings(), 1000000000u));
-  Hub_rings hub_rings(surface, patch, strategy.kind() == Support_strategy::RINGS ? number_of_rings : 0, bound);
-  for(const int corner : sharp_corners)
+  Hub_rings hub_rings(surface, patch, strategy.kind() == Support_strategy::RINGS ? number_of_rings : 0, bounds);
+  for(const int corner : corners)
   {
     if(strategy.kind() == Support_strategy::RINGS && hub_rings.take(corner, demand_of(corner), demand))
     {

@@ -42,10 +42,11 @@ Patch_result prescribe_rotation(const Cut_surface& surface, const Options& optio
 {
   omega.assign(surface.number_of_dual_edges(), 0);
   std::vector<double> demand(surface.number_of_sectors(), 0);
+  const Corner_bounds bounds{ options.sharp_corner_bound, options.blunt_corner_bound };
   return for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    return prescribe_rotation_in_patch(surface, surface.patches[patch], options.support_strategy,
-                                       options.sharp_corner_bound, solver_traits, demand, omega);
+    return prescribe_rotation_in_patch(surface, surface.patches[patch], options.support_strategy, bounds, solver_traits,
+                                       demand, omega);
   });
 }
 

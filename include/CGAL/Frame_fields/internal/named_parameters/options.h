@@ -39,6 +39,7 @@ namespace internal {
 struct Options
 {
   double sharp_corner_bound;
+  double blunt_corner_bound;
   Support_strategy support_strategy;
   bool repair_matching;
   double maximum_skewness;
@@ -60,6 +61,7 @@ Options options_from(const NamedParameters& np)
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   return { static_cast<double>(choose_parameter(get_parameter(np, internal::sharp_corner_bound), 0.75 * CGAL_PI)),
+           static_cast<double>(choose_parameter(get_parameter(np, internal::blunt_corner_bound), CGAL_PI / 8)),
            choose_parameter(get_parameter(np, internal::support_strategy), Support_strategy::rings(4)),
            static_cast<bool>(choose_parameter(get_parameter(np, internal::repair_matching), true)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_skewness), 0.45 * CGAL_PI)),
@@ -78,6 +80,8 @@ inline Result check(const Options& options)
   };
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))
     return wrong("sharp_corner_bound", options.sharp_corner_bound, "a finite number that is not negative");
+  if(!(options.blunt_corner_bound >= 0))
+    return wrong("blunt_corner_bound", options.blunt_corner_bound, "a number that is not negative, or infinity");
   if(!(options.maximum_skewness >= 0 && options.maximum_skewness < CGAL_PI / 2))
     return wrong("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
   if(!(std::isfinite(options.orthogonality_weight) && options.orthogonality_weight >= 0))

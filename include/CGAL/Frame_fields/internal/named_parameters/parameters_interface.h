@@ -11,6 +11,7 @@
 
 // List of the named parameters of this package. No include guard: it is read once per use of the macro.
 CGAL_add_named_parameter(sharp_corner_bound_t, sharp_corner_bound, sharp_corner_bound)
+CGAL_add_named_parameter(blunt_corner_bound_t, blunt_corner_bound, blunt_corner_bound)
 CGAL_add_named_parameter(support_strategy_t, support_strategy, support_strategy)
 CGAL_add_named_parameter(guiding_direction_t, guiding_direction, guiding_direction_map)
 CGAL_add_named_parameter(guiding_weight_t, guiding_weight, guiding_weight_map)

@@ -54,6 +54,21 @@ inline int natural_index(const Cut_surface& surface, const int sector)
   return surface.is_constrained_sector(sector) ? 2 - natural_number_of_quads(surface.total_angle[sector]) : 0;
 }
 
+// Which sectors on constrained edges get their natural index prescribed, and not only by the repair: sharp corners, and
+// blunt ones, that is, those of two quadrangles or more whose angle differs from a straight one by more than a bound.
+struct Corner_bounds
+{
+  double sharp, blunt;
+};
+
+inline bool is_prescribed_corner(const Cut_surface& surface, const int sector, const Corner_bounds& bounds)
+{
+  const double angle = surface.total_angle[sector];
+  return is_sharp_corner(surface, sector, bounds.sharp)
+      || (std::abs(angle - CGAL_PI) > bounds.blunt + angle_tolerance && natural_number_of_quads(angle) > 1
+          && surface.is_constrained_sector(sector));
+}
+
 // A sector on constrained edges that does not have its natural index, or one inside with less than three quadrangles.
 inline bool is_unnatural(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
