@@ -25,7 +25,10 @@ Model flat_torus()
 Model round_torus(const int m, const int n, const double noise)
 {
   std::mt19937 generator;
-  const auto moved = [&](const double u, const int cells) { return u + noise * (generator() / 2147483648. - 1) / cells; };
+  const auto moved = [&](const double u, const int cells)
+  {
+    return u + noise * (generator() / 2147483648. - 1) / cells;
+  };
   return grid(m, n, true, true, [&](double u, double v)
   {
     u = turn * moved(u, m);

@@ -40,7 +40,8 @@ inline double aligned_alpha(const Cut_surface& surface, const int face)
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
 }
 
-// Whether any face of a patch is aligned or guided; otherwise its field is determined only up to a rotation and a scale.
+// Whether any face of a patch is aligned or guided; otherwise the field is determined only up to a rotation and a
+// scale.
 inline bool asks_for_direction(const Cut_surface& surface, const Patch& patch)
 {
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)

@@ -23,8 +23,8 @@ namespace internal {
 
 inline int modulo_4(const int k) { return (k % 4 + 4) % 4; }
 
-// Numbers the branches of a patch anew: direction 0 of a face is the branch that is written. The numbers go from face to
-// face in breadth-first order, from the first face on, so that a seam is found where two fronts meet.
+// Numbers the branches of a patch anew: direction 0 of a face is the branch that is written. The numbers go from face
+// to face in breadth-first order, from the first face on.
 inline void comb_patch(const Cut_surface& surface, const Patch& patch, const std::vector<int>& matching,
                        std::vector<int>& first_branch)
 {
