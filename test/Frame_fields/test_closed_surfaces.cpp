@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 // The smoothest fields of surfaces without any constraint, which are eigenvectors, against what is known of them.
 namespace {
@@ -17,6 +19,41 @@ Model flat_torus()
   {
     return Point(std::cos(turn * u), std::sin(turn * u), std::abs(2 * v - 1));
   });
+}
+
+// A torus of radii 3 and 1, its vertices moved on it at random by `noise` of an edge.
+Model round_torus(const int m, const int n, const double noise)
+{
+  std::mt19937 generator;
+  const auto moved = [&](const double u, const int cells)
+  {
+    return u + noise * (generator() / 2147483648. - 1) / cells;
+  };
+  return grid(m, n, true, true, [&](double u, double v)
+  {
+    u = turn * moved(u, m);
+    v = turn * moved(v, n);
+    const double radius = 3 + std::cos(v);
+    return Point(radius * std::cos(u), radius * std::sin(u), std::sin(v));
+  });
+}
+
+// The sum of squared rotations of the field along the parallels of a torus around the z axis.
+double energy_of_parallels(const Cut& cut)
+{
+  std::vector<double> alpha;
+  for(int f = 0; f < cut.number_of_faces(); ++f)
+  {
+    const Point &a = cut.points[3 * f + 2], &b = cut.points[3 * f], &c = cut.points[3 * f + 1];
+    const Vector edge = b - a, normal = CGAL::cross_product(edge, c - a), along(-a.y(), a.x(), 0);
+    alpha.push_back(std::atan2(CGAL::cross_product(edge, along) * normal / std::sqrt(normal.squared_length()),
+                               edge * along));
+  }
+  double energy = 0;
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    energy += std::pow(std::remainder(-alpha[face_of(h)] + alpha[face_of(cut.opposite[h])] + cut.transport[h],
+                                      CGAL_PI / 2), 2) / 2;
+  return energy;
 }
 
 Model together(Model model, const Model& other, const Vector& offset)
@@ -60,6 +97,26 @@ TYPED_TEST(Closed_surface, flat_torus_has_a_parallel_field)
   const Field field = frame_field(cad_mesh);
   EXPECT_EQ(std::vector<int>(field.index.size(), 0), field.index);
   EXPECT_LT(field.statistics.energy_orthogonal, 1e-12);
+}
+
+// The smoothest field of unit norm has up to six pairs of singularities on these.
+TYPED_TEST(Closed_surface, torus_has_no_singularities)
+{
+  for(const double noise : { 0., 0.3 })
+    for(const int n : { 10, 20 })
+    {
+      const Cad_mesh<TypeParam> cad_mesh(round_torus(3 * n, n, noise));
+      const Cut cut = cad_mesh.cut();
+      const Field field = frame_field(cad_mesh);
+      EXPECT_EQ(std::vector<int>(field.index.size(), 0), field.index);
+      EXPECT_LT(field.statistics.energy_orthogonal, energy_of_parallels(cut));
+    }
+}
+
+TYPED_TEST(Closed_surface, ellipsoid_has_eight_singularities_of_a_quarter)
+{
+  const Model ellipsoid = transformed(sphere(), [](const Point& p) { return Point(p.x(), 2 * p.y(), 3 * p.z()); });
+  EXPECT_EQ(std::vector<int>(8, 1), this->sorted_singular_indices(ellipsoid));
 }
 
 TYPED_TEST(Closed_surface, components_do_not_see_each_other)

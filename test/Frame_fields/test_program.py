@@ -1336,6 +1336,13 @@ class FieldFormats(ProgramTest):
             differences = [turn - round(turn) for turn in turns]
             self.assertAlmostEqual(differences[0], -differences[1], delta=1e-9)
 
+    def test_who_writes_crosses_is_told_what_they_forget(self):
+        for end in self.FORMATS:
+            report = self.report(flange(), "--features", flange_features(), "--field", "out" + end)
+            self.assertEqual(len(report["warnings"]), end == ".rosy", end)
+            for warning in report["warnings"]:
+                self.assertRegex(warning, "out.rosy: .*matching")
+
     def compared(self, end, *options):
         return self.report("again.off", "--features", "out.feat", "--compare", "out" + end, *options)["compared"]
 

@@ -74,10 +74,10 @@ TYPED_TEST(Solver, gives_the_field_of_the_default_one)
     this->expect_default_field(model, tolerance);
 }
 
-// There |z| falls to 1e-12, less than what an iterative solver resolves, and in the middle of it all is noise to that.
+// There |z| falls to about 1e-7, where a solution within 1e-9 of its largest values has wrong angles.
 TYPED_TEST(Solver, gives_the_field_of_the_default_one_far_from_constraints)
 {
-  this->expect_default_field(rough_tube(100), tolerance);
+  this->expect_default_field(rough_tube(60), tolerance);
 }
 
 // The smallest eigenvector is unique up to a factor, which the same start vector settles.

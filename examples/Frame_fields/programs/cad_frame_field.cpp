@@ -63,8 +63,13 @@ void write_meshes(const Options& options, Mesh& mesh, const Feature_map is_featu
                { write_vtp(out, vtp_content(mesh, is_feature, all_sectors, field,
                                             streamlines(mesh, is_feature, field, options))); });
   for(const std::string& path : options.fields)
+  {
     write_file(path, [&](std::ostream& out)
                { write_field(out, field_format_of(path), mesh, is_feature, field); });
+    if(field_format_of(path) == ROSY)
+      console.warn(path + ": crosses hold neither skew frames nor the matching, so corners may be unmeshable to a "
+                          "reader; .rawfield and .ffield keep the frames, .ply the matching, too");
+  }
   if(options.written_features)
     write_file(*options.written_features, [&](std::ostream& out)
                { write_features(out, feature_format_of(*options.written_features), mesh, is_feature); });

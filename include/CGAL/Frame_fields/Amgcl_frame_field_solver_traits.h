@@ -195,9 +195,10 @@ private:
 /// is a solver traits for very large patches: conjugate gradients with an algebraic multigrid by AMGCL, whose time and
 /// memory grow in proportion to the size of a patch. The header needs AMGCL's, and nothing to link with.
 ///
-/// Solutions are accurate to a residual of `tolerance` times the right-hand side. A patch without constrained edges,
-/// whose matrix is nearly singular, may take more than the maximum number of iterations; then the result is
-/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
+/// Each solution is accurate to a residual of `tolerance` times the right-hand side. The functions of this package ask
+/// for as many as are needed for the accuracy of a direct solver in every face, so a smaller `tolerance` gives no
+/// better field. A patch without constrained edges, whose matrix is nearly singular, may take more than the maximum
+/// number of iterations; then the result is `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
 ///
 /// \cgalModels{FrameFieldSolverTraits}
 class Amgcl_frame_field_solver_traits

@@ -37,9 +37,11 @@ computes the orthogonal frame field whose rotation is nearest to a prescribed on
 \f$ \sum |z_i - z_j e^{4 i (c_{ij} - \omega_{ij})}|^2 \f$, where the frame of each face with a constrained edge is
 aligned with that edge.
 
-A patch without any constrained edge gets the field of unit norm with the smallest energy, an eigenvector to the
-smallest eigenvalue of the same hermitian matrix. It is determined up to a common rotation of all frames, and not even
-so if the eigenvalue is multiple. It does not depend on the number of threads.
+A patch without any constrained edge, whose minimizer is 0, starts from the \f$ z \f$ of unit norm with the smallest
+energy, an eigenvector to the smallest eigenvalue of the same hermitian matrix. From there it goes to a local minimum of
+\f$ \sum (r_{ij} - \omega_{ij})^2 \f$, and pairs of singularities of opposite signs are canceled where that lowers this
+sum, see Section \ref Frame_fieldsOrthogonal. The field is determined up to a common rotation of all frames. It does not
+depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam AlphaMap a class model of `WritablePropertyMap` with

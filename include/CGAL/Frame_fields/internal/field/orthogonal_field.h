@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
 #include <CGAL/Frame_fields/internal/field/falling_values.h>
+#include <CGAL/Frame_fields/internal/field/unit_length_flow.h>
 #include <CGAL/Frame_fields/internal/field/vanishing_values.h>
 #include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
@@ -154,14 +155,14 @@ private:
 };
 
 // Finds the values of the unknowns and their levels, which tell values below the range of `double`. A patch in which no
-// face asks for a direction gets the smoothest field of unit norm.
+// face asks for a direction gets a smooth field of unit length.
 template <typename Solver>
 bool solve_orthogonal_field(Solver& solver, const Orthogonal_field_system& system, std::vector<Complex>& z,
                             std::vector<int>& level)
 {
   const Hermitian_matrix<Complex> matrix = system.matrix();
   if(!system.is_anchored())
-    return smallest_eigenvector(solver, matrix, system.start_vector(), z);
+    return smallest_eigenvector(solver, matrix, system.start_vector(), z) && flow_to_unit_length(solver, matrix, z);
   const std::vector<Complex> right_hand_side = system.right_hand_side();
   return factor_and_solve(solver, matrix, right_hand_side, z)
       && Falling_values<Solver>(solver, matrix, right_hand_side, z).find(level);

@@ -13,7 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/field/cancel_pairs.h>
+#include <CGAL/Frame_fields/internal/field/closed_patch.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
@@ -71,12 +71,14 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
                                       std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
-  std::vector<int> matching, index; // for patches that ask for no direction
+  Closed_patch_arrays arrays;
   if(!std::all_of(surface.patches.begin(), surface.patches.end(),
                   [&](const Patch& patch) { return asks_for_direction(surface, patch); }))
   {
-    matching.resize(surface.number_of_dual_edges());
-    index.resize(surface.number_of_sectors());
+    arrays.omega.resize(surface.number_of_dual_edges());
+    arrays.demand.resize(surface.number_of_sectors());
+    arrays.matching.resize(surface.number_of_dual_edges());
+    arrays.index.resize(surface.number_of_sectors());
   }
   return for_each_patch<ConcurrencyTag>(surface, [&](const int number)
   {
@@ -84,8 +86,7 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
     const Patch_result result = orthogonal_field_in_patch(surface, patch, omega, face_order, solver_traits, alpha);
     if(result.error_code != OK || asks_for_direction(surface, patch) || has_index_targets(surface, patch))
       return result;
-    return Pair_cancellation<SolverTraits>(surface, patch, omega, matching, index, alpha)
-      .run(face_order, solver_traits);
+    return Closed_patch_field<SolverTraits>(surface, patch, omega, face_order, solver_traits, arrays, alpha).improve();
   });
 }
 
