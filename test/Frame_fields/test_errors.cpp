@@ -399,13 +399,14 @@ TYPED_TEST(Errors, quadrangle_cannot_be_split)
   EXPECT_EQ(2u, num_faces(mesh));
 }
 
-// Two halfedges say of each other that they are opposite, and a third one says it of one of them.
+// A halfedge says that it is in another face, where a third one is taken for it.
 TEST(Inconsistent_halfedges, are_named)
 {
   CGAL::Surface_mesh<Point> mesh;
   const auto a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
              c = mesh.add_vertex(Point(0, 1, 0)), d = mesh.add_vertex(Point(1, 1, 0));
   const auto f = mesh.add_face(a, b, c), g = mesh.add_face(c, b, d);
+  mesh.set_halfedge(f, mesh.halfedge(b, c));
   mesh.set_face(mesh.halfedge(c, b), f); // in the cycle of g
   const Maps<CGAL::Surface_mesh<Point> > maps(mesh);
   const FF::Result result = FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index);

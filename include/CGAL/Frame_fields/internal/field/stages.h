@@ -109,7 +109,7 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
     else if(indices_result.error_code == OK && options.repair_matching)
       repaired[number] = repair_patch(surface, patch, omega, alpha, options.sharp_corner_bound, matching,
                                       index);
-    CGAL_postcondition(indices_result.error_code != OK || has_sum_of_indices(surface, patch, index));
+    CGAL_postcondition(indices_result.error_code != OK || has_sum_of_indices(patch, index));
     return indices_result;
   });
   for(const std::vector<Repaired_sector>& sectors : repaired)

@@ -58,7 +58,7 @@ inline bool is_nearest_matching(const Cut_surface& surface, const Patch& patch, 
 }
 
 // Poincare and Hopf: the indices of a patch sum to its Euler characteristic, whatever the field is.
-inline bool has_sum_of_indices(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index)
+inline bool has_sum_of_indices(const Patch& patch, const std::vector<int>& index)
 {
   return std::accumulate(index.begin() + patch.sectors.begin_index, index.begin() + patch.sectors.end_index, 0LL)
          == 4LL * euler_characteristic(patch);
