@@ -5,6 +5,7 @@
 #include "benchmark_solver_traits.h"
 
 #include <CGAL/Frame_fields.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
@@ -15,10 +16,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +38,7 @@ const int refinements_for_one_iteration = 2, refinements_for_one_repetition = 3;
 struct Staged_model : Benchmark_model
 {
   Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha, zero;
-  Mesh::Property_map<Mesh::Halfedge_index, int> matching;
+  Mesh::Property_map<Mesh::Halfedge_index, int> matching, orthogonal_index;
   Mesh::Property_map<Mesh::Halfedge_index, double> omega;
   bool has_orthogonal_field = false;
 
@@ -44,6 +47,7 @@ struct Staged_model : Benchmark_model
     orthogonal_alpha = mesh.add_property_map<Mesh::Face_index, double>("f:orthogonal_alpha").first;
     zero = mesh.add_property_map<Mesh::Face_index, double>("f:zero", 0.).first;
     matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
+    orthogonal_index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:orthogonal_index").first;
     omega = mesh.add_property_map<Mesh::Halfedge_index, double>("h:omega").first;
   }
 
@@ -51,7 +55,7 @@ struct Staged_model : Benchmark_model
   {
     if(!has_orthogonal_field)
       has_orthogonal_field = bool(Frame_fields::cad_frame_field(
-        mesh, orthogonal_alpha, rho, index,
+        mesh, orthogonal_alpha, rho, orthogonal_index,
         params::edge_is_constrained_map(is_feature).relax_orthogonality(false).matching_map(matching)
           .prescribed_rotation_map(omega)));
   }
@@ -160,7 +164,7 @@ struct Singularities
   Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
   {
     std::vector<Frame_fields::Singularity<Mesh::Halfedge_index> > found;
-    return Frame_fields::singularities(m.mesh, m.index, std::back_inserter(found), np);
+    return Frame_fields::singularities(m.mesh, m.orthogonal_index, std::back_inserter(found), np);
   }
 };
 
@@ -242,6 +246,47 @@ void add_benchmark(const Shape& shape, const int number_of_refinements, const st
     result->Repetitions(1);
 }
 
+// A disk of 4000 teeth around one vertex: each tooth is a sharp corner beside a hub.
+Featured_soup toothed_disk()
+{
+  const std::size_t number_of_rim_points = 8000;
+  Featured_soup soup;
+  for(std::size_t k = 0; k < number_of_rim_points; ++k)
+  {
+    const double radius = k % 2 == 0 ? 1.002 : 1, angle = 2 * CGAL_PI * static_cast<double>(k) / number_of_rim_points;
+    soup.points.push_back(Point_3(radius * std::cos(angle), radius * std::sin(angle), 0));
+    soup.triangles.push_back({ { number_of_rim_points, k, (k + 1) % number_of_rim_points } });
+  }
+  soup.points.push_back(Point_3(0, 0, 0));
+  return soup;
+}
+
+// A torus without features, so rough that it has a singularity for every ten faces.
+Featured_soup rough_torus()
+{
+  const std::size_t n = 64;
+  std::mt19937 generator;
+  Featured_soup soup;
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double u = 2 * CGAL_PI * static_cast<double>(i) / n, v = 2 * CGAL_PI * static_cast<double>(j) / n;
+      const double radius = 1 + 9. / n * (generator() / 2147483648. - 1);
+      soup.points.push_back(Point_3((3 + radius * std::cos(v)) * std::cos(u), (3 + radius * std::cos(v)) * std::sin(u),
+                                    radius * std::sin(v)));
+      const std::size_t here = j * n + i, right = j * n + (i + 1) % n, up = (j + 1) % n * n + i;
+      soup.triangles.push_back({ { here, right, up } });
+      soup.triangles.push_back({ { right, (j + 1) % n * n + (i + 1) % n, up } });
+    }
+  return soup;
+}
+
+// What took time in the square of its size once.
+std::vector<Shape> hard_shapes()
+{
+  return { { "toothed_disk", { "8K" }, toothed_disk, false }, { "rough_torus", { "8K" }, rough_torus, false } };
+}
+
 void add_benchmarks(const Shape& shape, const int number_of_refinements)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -277,6 +322,8 @@ int main(int argc, char** argv)
   for(const Shape& shape : benchmark_shapes())
     for(std::size_t k = 0; k < shape.sizes.size(); ++k)
       add_benchmarks(shape, static_cast<int>(k));
+  for(const Shape& shape : hard_shapes())
+    add_benchmarks(shape, 0);
   benchmark::Initialize(&argc, argv);
   if(benchmark::ReportUnrecognizedArguments(argc, argv))
     return 1;

@@ -237,8 +237,8 @@ TYPED_TEST(Errors, solver_that_fails_in_a_single_stage)
 TYPED_TEST(Errors, exhausted_memory_passes_through)
 {
   Case<TypeParam> good(wedge(30));
-  EXPECT_THROW(good.cad_frame_field(parameters::sparse_linear_solver(Failing_solver_traits{ RUNS_OUT_OF_MEMORY })),
-               std::bad_alloc);
+  const auto np = parameters::sparse_linear_solver(Failing_solver_traits{ RUNS_OUT_OF_MEMORY });
+  EXPECT_THROW(static_cast<void>(good.cad_frame_field(np)), std::bad_alloc);
   good.expect_untouched();
 }
 
@@ -308,9 +308,9 @@ protected:
 
 TYPED_TEST_SUITE(Wrong_field, Mesh_classes, Mesh_class_names);
 
-TYPED_TEST(Wrong_field, with_an_angle_that_is_not_finite)
+TYPED_TEST(Wrong_field, with_an_angle_that_is_not_finite_or_has_no_digits_after_the_point)
 {
-  for(const double wrong : { nan, infinity })
+  for(const double wrong : { nan, infinity, 1e19, -1e300, 1000001. })
   {
     const auto f = *std::next(faces(this->cad_mesh.mesh).begin(), 13);
     put(this->maps.alpha, f, wrong);
@@ -361,9 +361,11 @@ TYPED_TEST(Wrong_field, with_an_index_beyond_a_thousand_million)
 TYPED_TEST(Wrong_field, with_a_prescribed_rotation_that_is_not_opposite_or_not_finite)
 {
   const auto h = this->first_halfedge([&](const auto h) { return !this->is_constrained(h); });
-  for(const double wrong : { 0.1, nan })
+  for(const double wrong : { 0.1, nan, 1e19 })
   {
-    put(this->maps.omega, h, get(this->maps.omega, h) + wrong);
+    put(this->maps.omega, h, wrong);
+    if(wrong == 1e19)
+      put(this->maps.omega, opposite(h, this->cad_mesh.mesh), -wrong);
     Maps<TypeParam> output(this->cad_mesh.mesh);
     expect_failure(FF::ERROR_WRONG_FIELD,
                    FF::orthogonal_frame_field(this->cad_mesh.mesh, output.alpha,
@@ -397,12 +399,27 @@ TYPED_TEST(Errors, quadrangle_cannot_be_split)
   EXPECT_EQ(2u, num_faces(mesh));
 }
 
+// A halfedge says that it is in another face, where a third one is taken for it.
+TEST(Inconsistent_halfedges, are_named)
+{
+  CGAL::Surface_mesh<Point> mesh;
+  const auto a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
+             c = mesh.add_vertex(Point(0, 1, 0)), d = mesh.add_vertex(Point(1, 1, 0));
+  const auto f = mesh.add_face(a, b, c), g = mesh.add_face(c, b, d);
+  mesh.set_halfedge(f, mesh.halfedge(b, c));
+  mesh.set_face(mesh.halfedge(c, b), f); // in the cycle of g
+  const Maps<CGAL::Surface_mesh<Point> > maps(mesh);
+  const FF::Result result = FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index);
+  expect_failure(FF::ERROR_INCONSISTENT_HALFEDGES, result);
+  EXPECT_NE(std::string::npos, result.message.find("of faces(tm)")) << result.message << f << g;
+}
+
 TEST(Error_message, exists_for_each_error_code)
 {
   std::set<std::string> messages;
-  for(int code = FF::OK; code <= FF::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM; ++code)
+  for(int code = FF::OK; code <= FF::ERROR_INCONSISTENT_HALFEDGES; ++code)
     messages.insert(FF::get_error_message(code));
-  EXPECT_EQ(static_cast<std::size_t>(FF::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) + 1, messages.size());
+  EXPECT_EQ(static_cast<std::size_t>(FF::ERROR_INCONSISTENT_HALFEDGES) + 1, messages.size());
   EXPECT_EQ(0u, messages.count(FF::get_error_message(-1)));
   EXPECT_STREQ(FF::get_error_message(-1), FF::get_error_message(1000));
 }

@@ -1,5 +1,9 @@
 #include "test_cad_mesh.h"
 
+#include <CGAL/Frame_fields/orthogonal_frame_field.h>
+#include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/relax_frame_field.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -126,6 +130,29 @@ TYPED_TEST(Index_targets, what_is_missing_to_poincare_hopf_is_named)
   const FF::Result result = this->error(cad_mesh, this->target_map(cad_mesh, cad_mesh.cut(), { { 0, 5 } }));
   EXPECT_EQ(FF::ERROR_POINCARE_HOPF, result.error_code);
   EXPECT_NE(std::string::npos, result.message.find("3/4 is missing")) << result.message;
+}
+
+TYPED_TEST(Index_targets, that_do_not_sum_are_refused_by_each_stage)
+{
+  const Cad_mesh<TypeParam> cad_mesh(square(8));
+  const Cut cut = cad_mesh.cut();
+  const Maps<TypeParam> maps(cad_mesh.mesh);
+  const auto features = cad_mesh.features();
+  ASSERT_TRUE(FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, features.matching_map(maps.matching)));
+  int inner = 0;
+  while(cut.is_constrained_sector[inner])
+    ++inner;
+  const auto np = features.index_target_map(this->target_map(cad_mesh, cut, { { inner, 1 } }));
+  for(const FF::Result& result :
+      { FF::prescribe_rotation(cad_mesh.mesh, maps.omega, np),
+        FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, np),
+        FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, np.matching_map(maps.matching)),
+        FF::relax_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, np),
+        FF::relax_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, np.matching_map(maps.matching)) })
+  {
+    EXPECT_EQ(FF::ERROR_POINCARE_HOPF, result.error_code);
+    EXPECT_NE(std::string::npos, result.message.find("-1/4 is missing")) << result.message;
+  }
 }
 
 TYPED_TEST(Index_targets, two_targets_for_one_sector_are_refused)

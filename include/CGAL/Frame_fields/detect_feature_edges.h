@@ -82,11 +82,8 @@ finds feature edges by the angles between the normals of their faces, and cleans
    is on stays, and nothing is taken out of the boundary of a patch.
 
 Border edges always are features. Coordinates have errors, so a face that is hardly higher than they are has no normal
-of its own: one whose height over its longest edge does not determine the normal to half the weak angle (to 1 degree at
-least, and to 45 at most). The normal of the neighbor that it lies along stands for it, and its own where no neighbor is
-better off. With an error of \f$ e \f$ in each coordinate these are heights up to
-\f$ 2 \sqrt 3\, e\, (1 + 1 / \tan(\mathrm{weak\_angle} / 2)) \f$, with the defaults \f$ 13\, e \f$, less than a
-millionth of the size of the mesh.
+of its own: one whose height over its longest edge is at most 4.5 times the error of a coordinate. The normal of the
+neighbor that it lies along stands for it, and its own where no neighbor is better off.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a class model of `WritablePropertyMap` with
@@ -121,10 +118,11 @@ millionth of the size of the mesh.
   \cgalParamNBegin{coordinate_error}
     \cgalParamDescription{the largest error of a coordinate}
     \cgalParamType{`double`, a length, not negative}
-    \cgalParamDefault{\f$ 2^{-24} \f$ of the longest side of the bounding box, or of the largest coordinate of a face if
-                      that is more and all coordinates of `tm` are numbers of type `float`, as in STL files}
-    \cgalParamExtra{Give \f$ 0.5 \cdot 10^{-d} \f$ for coordinates with \f$ d \f$ digits after the point. Below
-                    \f$ 2^{-53} \f$ of the largest coordinate of a face, that counts instead.}
+    \cgalParamDefault{\f$ 2^{-24} \f$ of the longest side of the bounding box; if all coordinates of `tm` are numbers of
+                      type `float`, as in STL files, at least half the distance from the largest coordinate of a face to
+                      the next such number}
+    \cgalParamExtra{Give \f$ 0.5 \cdot 10^{-d} \f$ for coordinates with \f$ d \f$ digits after the point. Less
+                    than the rounding of `double` does not count.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -164,7 +162,7 @@ Result detect_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_fea
     return result;
   const internal::Coordinate_error coordinate_error(graph, faces, options.coordinate_error);
   const std::vector<int> normal_face =
-    internal::Flat_faces(graph, faces, coordinate_error, options.weak_angle).faces_with_normals();
+    internal::Flat_faces(graph, faces, coordinate_error).faces_with_normals();
   internal::mark_with_hysteresis(graph, mesh.dihedral_angles(graph, faces, normal_face), options.strong_angle,
                                  options.weak_angle);
   if(options.closes_gaps)

@@ -132,9 +132,10 @@ the two branches turn the least, in the sense of squares.
 
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
-        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (a vector that is not finite or
-        perpendicular to its face, two parallel vectors); nothing is written unless it is `OK`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (a
+        vector that is not finite or perpendicular to its face, two parallel vectors); nothing is written unless it is
+        `OK`
 
 \cgalBigO{n} for \f$ n \f$ faces.
 

@@ -90,9 +90,9 @@ measures a frame field, so that fields can be compared.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
-        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD` (an angle that is not finite, a
-        matching that is not opposite on opposite halfedges)
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD`
+        (an angle that is not finite or beyond \f$ \pm 10^6 \f$, a matching that is not opposite on opposite halfedges)
 
 \cgalBigO{n} for \f$ n \f$ faces.
 */

@@ -152,10 +152,11 @@ depend on the number of threads.
 
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
-        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite or not opposite on
-        opposite halfedges) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
+        `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite, beyond \f$ \pm 10^6 \f$ or not opposite on
+        opposite halfedges), `ERROR_POINCARE_HOPF` (index targets that do not sum) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a hermitian matrix with one row for each face without constrained edge, and
 one solve; up to 100 solves in a patch without any constrained edge.

@@ -166,11 +166,11 @@ indices stay what they are.
 
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
-        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`,
-        `ERROR_WRONG_PARAMETER`, `ERROR_WRONG_FIELD` (an angle or rotation that is not finite, a frame that is not
-        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges) or
-        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
+        `ERROR_WRONG_FIELD` (an angle or rotation that is not finite or beyond \f$ \pm 10^6 \f$, a frame that is not
+        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges),
+        `ERROR_POINCARE_HOPF` (index targets that do not sum) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a symmetric matrix with one row for each branch pair that is free to turn, at
 most two for each face, and one solve.

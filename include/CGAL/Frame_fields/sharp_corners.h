@@ -69,8 +69,8 @@ Faces with several constrained edges are accepted. A sector angle does not chang
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
-        `ERROR_ZERO_LENGTH_EDGE` or `ERROR_WRONG_PARAMETER`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE` or `ERROR_WRONG_PARAMETER`
 
 \cgalBigO{n} for \f$ n \f$ faces.
 

@@ -94,8 +94,8 @@ lists the sectors of a frame field whose index is not 0, with their places and t
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or
-        `ERROR_ZERO_LENGTH_EDGE`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE` or `ERROR_ZERO_LENGTH_EDGE`
 
 \cgalBigO{n} for \f$ n \f$ faces, and for each singularity in a patch with constrained edges \cgalBigO{m \log m} for
 the \f$ m \f$ faces that are nearer to it than the nearest of them.

@@ -85,10 +85,10 @@ indices of a patch sum to its Euler characteristic.
 
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
-        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or
-        `ERROR_WRONG_FIELD` (an angle that is not finite, a frame that is not aligned with the constrained edge of its
-        face, a matching that is not opposite on opposite halfedges)
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or `ERROR_WRONG_FIELD`
+        (an angle that is not finite or beyond \f$ \pm 10^6 \f$, a frame that is not aligned with the constrained edge
+        of its face, a matching that is not opposite on opposite halfedges)
 
 \cgalBigO{n} for \f$ n \f$ faces.
 

@@ -116,9 +116,9 @@ another line of its branch pair or to itself.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`,
-        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_WRONG_PARAMETER` or `ERROR_WRONG_FIELD` (an angle that is not finite, a
-        matching that is not opposite on opposite halfedges)
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_WRONG_PARAMETER` or `ERROR_WRONG_FIELD` (an
+        angle that is not finite or beyond \f$ \pm 10^6 \f$, a matching that is not opposite on opposite halfedges)
 
 Takes time \cgalBigO{n \log n + m \log m} for \f$ n \f$ faces and lines of \f$ m \f$ segments, if the triangles are
 not much longer than wide and lines are separated.

@@ -15,8 +15,6 @@
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,7 +71,8 @@ public:
 
   double operator()(const Coordinates& p, const Coordinates& q, const Coordinates& r) const
   {
-    return (std::max)(m_least, m_relative * (std::max)({ maximum_norm(p), maximum_norm(q), maximum_norm(r) }));
+    const double largest = (std::max)({ maximum_norm(p), maximum_norm(q), maximum_norm(r) });
+    return largest > 0 ? (std::max)(m_least, std::scalbn(m_relative, std::ilogb(largest))) : m_least;
   }
 
 private:
@@ -82,7 +81,7 @@ private:
     return std::abs(x) <= (std::numeric_limits<float>::max)() && static_cast<double>(static_cast<float>(x)) == x;
   }
 
-  double m_least, m_relative = 0x1p-53;
+  double m_least, m_relative = 0x1p-53; // m_relative of a power of two is half of the distance to the next number
 };
 
 // The height of a triangle over its longest side.
@@ -100,15 +99,11 @@ inline double smallest_height(const Coordinates& p, const Coordinates& q, const 
   return distance(*order[0], *order[2]) * (length(cross(base, side)) / (length(base) * length(side)));
 }
 
-// The height up to which the normal of a face may be off by more than `angle`. If no point is farther than d from its
-// exact place, the points are within d of the exact plane. Then the exact plane rises by at most 2 d over the width of
-// the face, and the width is the smallest height, which the errors change by 2 d, too.
-inline double flat_height(const Coordinates& p, const Coordinates& q, const Coordinates& r,
-                          const Coordinate_error& coordinate_error, const double angle)
-{
-  const double d = std::sqrt(3.) * coordinate_error(p, q, r);
-  return 2 * d * (1 + 1 / std::tan(angle));
-}
+// The height up to which a face has no normal of its own, in errors of a coordinate. If they are evenly distributed,
+// a vertex is off the plane of the others by 0.7 of them, as a standard deviation. That turns the normal of a face of
+// this height by 9 degrees. With more, faces of real models that have a normal lose it; with less, needles beside a
+// fine hole become features.
+constexpr double flat_height_in_errors = 4.5;
 
 // A vector along the normal of a triangle, zero if it has no area.
 inline Coordinates normal(const Coordinates& p, const Coordinates& q, const Coordinates& r)
@@ -120,12 +115,9 @@ inline Coordinates normal(const Coordinates& p, const Coordinates& q, const Coor
 class Flat_faces
 {
 public:
-  // Two faces in one plane must not seem to meet at `weak_angle`, which is in degrees.
-  Flat_faces(const Feature_graph& graph, const Feature_faces& faces, const Coordinate_error& coordinate_error,
-             const double weak_angle)
-    : m_graph(graph), m_faces(faces), m_error(coordinate_error)
-    , m_largest_deviation((std::min)(45., (std::max)(1., weak_angle / 2)) * CGAL_PI / 180)
-    , m_normal_face(faces.size(), -1), m_faces_at(graph.ends.size(), { -1, -1 })
+  Flat_faces(const Feature_graph& graph, const Feature_faces& faces, const Coordinate_error& coordinate_error)
+    : m_graph(graph), m_faces(faces), m_error(coordinate_error), m_normal_face(faces.size(), -1)
+    , m_faces_at(graph.ends.size(), { -1, -1 })
   {}
 
   // For each face the one whose normal stands for it. A flat face takes that of its neighbor across the longest edge
@@ -152,7 +144,7 @@ public:
       for(const int f : m_faces_at[edge])
         if(f >= 0 && m_normal_face[f] < 0)
         {
-          m_normal_face[f] = keeps_its_own(f, m_normal_face[from]) ? f : m_normal_face[from];
+          m_normal_face[f] = m_normal_face[from];
           advance(f);
         }
     }
@@ -169,16 +161,7 @@ private:
 
   double flat_height(const int f) const
   {
-    return internal::flat_height(point(f, 0), point(f, 1), point(f, 2), m_error, m_largest_deviation);
-  }
-
-  Coordinates normal(const int f) const { return internal::normal(point(f, 0), point(f, 1), point(f, 2)); }
-
-  // A strip of a fine cylinder may be just high enough in one place and too flat in the next. Where the normals of such
-  // faces agree, they may keep them, and the cylinder stays round.
-  bool keeps_its_own(const int f, const int normal_face) const
-  {
-    return height(f) > flat_height(f) / 2 && angle_between(normal(f), normal(normal_face)) < m_largest_deviation;
+    return flat_height_in_errors * m_error(point(f, 0), point(f, 1), point(f, 2));
   }
 
   // Whether the height of a face over one of its edges is too small for a normal.
@@ -200,7 +183,6 @@ private:
   const Feature_graph& m_graph;
   const Feature_faces& m_faces;
   const Coordinate_error& m_error;
-  double m_largest_deviation;
   std::vector<int> m_normal_face;
   std::vector<std::array<int, 2> > m_faces_at; // per edge, -1 for none
   std::priority_queue<std::tuple<double, int, int> > m_front; // length, edge, the face that it was reached from

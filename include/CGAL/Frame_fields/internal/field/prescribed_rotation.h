@@ -22,8 +22,10 @@
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -78,6 +80,18 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
              - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
 }
 
+// Whether what some sectors of the patch ask for is taken from others.
+inline bool sums_to_zero(const Patch& patch, const std::vector<double>& demand)
+{
+  double sum = 0, absolute_sum = 1;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
+    sum += demand[s];
+    absolute_sum += std::abs(demand[s]);
+  }
+  return std::abs(sum) <= 1e-9 * absolute_sum;
+}
+
 // Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
 // sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation
 // holds as well.
@@ -85,6 +99,7 @@ template <typename SolverTraits>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
                          const SolverTraits& solver_traits, std::vector<double>& omega)
 {
+  CGAL_precondition(sums_to_zero(patch, demand));
   const int pinned = patch.sectors.begin_index;
   const int size = patch.sectors.size() - 1;
   std::vector<int> unknown(size + 1); // per sector of the patch, -1 for the pinned one

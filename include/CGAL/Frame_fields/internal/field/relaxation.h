@@ -22,6 +22,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -337,6 +338,7 @@ Patch_result relax_patch(const Cut_surface& surface, const Patch& patch, const s
     const int fixed_branch = surface.is_aligned(f) ? aligned_branch(surface, f, alpha[f]) : -1;
     if(clamp(gamma[f], fixed_branch, options.maximum_skewness))
       ++number_of_clamped_faces;
+    CGAL_postcondition(fixed_branch < 0 || gamma[f][fixed_branch] == 0); // it stays aligned, exactly
   }
   return {};
 }

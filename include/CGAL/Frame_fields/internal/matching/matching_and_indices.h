@@ -19,6 +19,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +46,22 @@ inline void match_patch(const Cut_surface& surface, const Patch& patch, const st
 {
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     matching[e] = static_cast<int>(std::lround((omega[e] - unmatched_rotation(surface, alpha, e)) / (CGAL_PI / 2)));
+}
+
+inline bool is_nearest_matching(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
+                                const std::vector<double>& alpha, const std::vector<int>& matching)
+{
+  for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    if(!(std::abs(rotation(surface, alpha, matching, e) - omega[e]) <= CGAL_PI / 4 + 1e-6))
+      return false;
+  return true;
+}
+
+// Poincare and Hopf: the indices of a patch sum to its Euler characteristic, whatever the field is.
+inline bool has_sum_of_indices(const Patch& patch, const std::vector<int>& index)
+{
+  return std::accumulate(index.begin() + patch.sectors.begin_index, index.begin() + patch.sectors.end_index, 0LL)
+         == 4LL * euler_characteristic(patch);
 }
 
 // Writes 4 I on the sectors of the patch (eq. (3) of the paper). `alpha` must be an orthogonal field aligned with the

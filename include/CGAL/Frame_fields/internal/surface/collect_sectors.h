@@ -16,6 +16,8 @@
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -78,6 +80,7 @@ inline Patch_sectors collect_sectors_of_patch(Cut_surface& surface, const Patch&
 template <typename ConcurrencyTag>
 void collect_sectors(Cut_surface& surface)
 {
+  CGAL_precondition(inconsistent_halfedge(surface.opposite) < 0);
   surface.sector.assign(surface.number_of_halfedges(), -1);
   std::vector<Patch_sectors> sectors(surface.patches.size());
   for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
