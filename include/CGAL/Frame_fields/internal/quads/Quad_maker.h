@@ -21,12 +21,14 @@
 #include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
 #include <CGAL/Frame_fields/internal/quads/assemble.h>
 #include <CGAL/Frame_fields/internal/quads/Expected_valence.h>
+#include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/quantization/t_mesh_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
 
 #include <algorithm>
 #include <array>
@@ -76,7 +78,11 @@ public:
              const double target_edge_length)
     : m_surface(surface), m_embedding(embedding), m_index(index), m_features(features), m_map(map)
     , m_t_meshes(t_meshes), m_target_edge_length(target_edge_length), m_valence(surface, embedding, index)
+    , m_walker(surface, embedding)
   {
+    for(const T_mesh& t_mesh : t_meshes)
+      m_sources.push_back(t_mesh.cells.empty() ? Patch_source::FILLING : Patch_source::T_MESH);
+
     // Feature edges are kept if the quads do not leave them by more than a small part of their sides.
     const double tolerance = 0.02 * target_edge_length;
     for(const Feature_arc& arc : features.arcs)
@@ -100,13 +106,13 @@ public:
         remove_unused_vertices(complex);
         return complex;
       }
-      if(m_patch_to_fill >= 0)
-        fill_patch(m_patch_to_fill);
-      m_patch_to_fill = -1;
+      for(const int patch : m_patches_to_give_up)
+        give_up(patch);
+      m_patches_to_give_up.clear();
       if(round == number_of_rounds_with_empty_pieces)
         forbid_empty_pieces();
       if(round >= maximum_number_of_rounds)
-        fill_all();
+        split_all_triangles();
     }
   }
 
@@ -135,18 +141,27 @@ private:
       int& bound = m_layout.network.edges[a].lower_bound;
       bound = (std::max)(bound, static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1));
     }
-    // Arcs beside filled patches have two quad edges per edge of the triangle mesh.
-    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
-      if(is_beside_filled_patch(m_sides, static_cast<int>(a)))
-      {
-        Bidirected_edge& arc = m_layout.network.edges[a];
-        arc.lower_bound = arc.upper_bound = 2 * static_cast<int>(m_features.arcs[a].halfedges.size());
-      }
+    bound_arcs_of_other_patches();
   }
 
-  bool has_t_meshes() const
+  // The fillings need a few edges on each of their arcs; split triangles have two for each edge of the mesh.
+  void bound_arcs_of_other_patches()
   {
-    return std::any_of(m_t_meshes.begin(), m_t_meshes.end(), [](const T_mesh& mesh) { return !mesh.cells.empty(); });
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+    {
+      Bidirected_edge& edge = m_layout.network.edges[a];
+      for(const Arc_side& side : m_sides[a])
+        if(side.patch >= 0 && m_sources[side.patch] == Patch_source::FILLING)
+          edge.lower_bound = (std::max)(edge.lower_bound, smallest_even_count(m_embedding, m_features.arcs[a]));
+      if(is_beside_split_patch(m_sides, m_sources, static_cast<int>(a)))
+        edge.lower_bound = edge.upper_bound = 2 * static_cast<int>(m_features.arcs[a].halfedges.size());
+    }
+  }
+
+  bool has_only_split_triangles() const
+  {
+    return std::all_of(m_sources.begin(), m_sources.end(), [](const Patch_source source)
+                       { return source == Patch_source::SPLIT_TRIANGLES; });
   }
 
   void forbid_empty_pieces()
@@ -155,15 +170,19 @@ private:
     reset_bounds();
   }
 
-  void fill_patch(const int patch)
+  // Gives up the T-mesh of a patch, or its filling if it has none.
+  void give_up(const int patch)
   {
     m_t_meshes[patch] = T_mesh();
+    m_sources[patch] = m_sources[patch] == Patch_source::T_MESH ? Patch_source::FILLING
+                                                                : Patch_source::SPLIT_TRIANGLES;
     reset_bounds();
   }
 
-  void fill_all()
+  void split_all_triangles()
   {
     m_t_meshes.assign(m_t_meshes.size(), T_mesh());
+    m_sources.assign(m_sources.size(), Patch_source::SPLIT_TRIANGLES);
     reset_bounds();
   }
 
@@ -178,7 +197,7 @@ private:
       std::vector<int> blocked = quantization.unattainable;
       blocked.insert(blocked.end(), quantization.conflicting.begin(), quantization.conflicting.end());
       if(!lower_raised_bounds(blocked))
-        fill_blocked_patch(blocked);
+        give_up_blocked_patch(blocked);
     }
   }
 
@@ -196,15 +215,19 @@ private:
     return is_any_lowered;
   }
 
-  // Of the patches with T-meshes that have, or whose arcs have, unknowns without a solution, fills the smallest; if
-  // there are none, all.
-  void fill_blocked_patch(const std::vector<int>& blocked)
+  // Of the patches that have, or whose arcs have, unknowns without a solution, gives up the smallest with a T-mesh, or
+  // the smallest filling; if there are none, all.
+  void give_up_blocked_patch(const std::vector<int>& blocked)
   {
     int smallest = -1;
+    const auto key = [&](const int patch)
+    {
+      return std::make_pair(m_sources[patch], m_surface.patches[patch].faces.size());
+    };
     const auto consider = [&](const int patch)
     {
-      if(patch >= 0 && !m_t_meshes[patch].cells.empty()
-         && (smallest < 0 || m_surface.patches[patch].faces.size() < m_surface.patches[smallest].faces.size()))
+      if(patch >= 0 && m_sources[patch] != Patch_source::SPLIT_TRIANGLES
+         && (smallest < 0 || key(patch) < key(smallest)))
         smallest = patch;
     };
     for(const int e : blocked)
@@ -214,9 +237,9 @@ private:
         for(const Arc_side& side : m_sides[e])
           consider(side.patch);
     if(smallest >= 0)
-      fill_patch(smallest);
+      give_up(smallest);
     else
-      fill_all();
+      split_all_triangles();
   }
 
   // The unknowns are the arcs, the pieces, and half the numbers of arcs that must have even ones.
@@ -243,23 +266,27 @@ private:
       edges_of_piece[patch].assign(first, first + static_cast<std::ptrdiff_t>(m_t_meshes[patch].pieces.size()));
     }
     const std::vector<int> edges_of_arc(m_value.begin(), m_value.begin() + number_of_arcs());
-    const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sides, edges_of_piece,
+    const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sources, m_sides, edges_of_piece,
                               edges_of_arc, m_breakpoints };
     Quad_complex complex;
     m_classes = Vertex_classes();
     m_origin.clear();
     m_singular_sector.clear();
-    const Arc_vertices arc_vertices = make_arc_vertices(layout, complex);
+    const Placed_arcs placed_arcs = make_arc_vertices(layout, complex);
     for(std::size_t p = 0; p < m_t_meshes.size(); ++p)
     {
       const int patch = static_cast<int>(p);
-      if(m_t_meshes[p].cells.empty())
+      if(m_sources[p] != Patch_source::T_MESH)
       {
-        split_triangles_of_patch(layout, patch, complex);
+        if(m_sources[p] == Patch_source::SPLIT_TRIANGLES)
+          split_triangles_of_patch(layout, patch, complex);
+        else if(!fill_patch(m_walker, m_surface, m_embedding, m_features, patch, complex.arcs, m_target_edge_length,
+                            complex))
+          m_patches_to_give_up.push_back(patch);
         m_origin.resize(complex.quads.size(), { patch, -1 });
         continue;
       }
-      Patch_assembly assembly(layout, arc_vertices, patch, m_layout.first_piece[p], complex, m_classes);
+      Patch_assembly assembly(layout, placed_arcs, patch, m_layout.first_piece[p], complex, m_classes);
       for(std::size_t cell = 0; cell < m_t_meshes[p].cells.size(); ++cell)
       {
         assembly.fill_cell(m_t_meshes[p].cells[cell]);
@@ -296,8 +323,10 @@ private:
     if(separate_critical_vertices(complex, representative))
       return true;
     join_vertices(complex, representative);
-    if(!has_t_meshes())
+    if(has_only_split_triangles())
       return false;
+    if(!m_patches_to_give_up.empty())
+      return true;
     const std::vector<int> conflicts = connect_quads(complex).conflicts;
     if(!conflicts.empty())
     {
@@ -337,8 +366,8 @@ private:
         longest = e;
     if(longest >= 0)
       m_layout.network.edges[longest].lower_bound = (std::max)(1, m_layout.network.edges[longest].lower_bound);
-    else if(!unknowns.empty() && m_patch_to_fill < 0)
-      m_patch_to_fill = patch_of_piece(unknowns.front());
+    else if(!unknowns.empty() && m_patches_to_give_up.empty())
+      m_patches_to_give_up.push_back(patch_of_piece(unknowns.front()));
   }
 
   // Sides 0 and 2 of a quad run along sides 0 and 2 of its cell.
@@ -346,7 +375,13 @@ private:
   {
     const Quad_origin origin = m_origin[side / 4];
     if(origin.cell < 0)
+    {
+      const bool is_listed = std::find(m_patches_to_give_up.begin(), m_patches_to_give_up.end(), origin.patch)
+                          != m_patches_to_give_up.end();
+      if(m_sources[origin.patch] == Patch_source::FILLING && !is_listed)
+        m_patches_to_give_up.push_back(origin.patch);
       return;
+    }
     const std::vector<Directed_piece>& pieces = m_t_meshes[origin.patch].cells[origin.cell].sides[side % 2];
     const int unknown = m_layout.first_piece[origin.patch] + pieces.front().piece;
     int& bound = m_layout.network.edges[unknown].lower_bound;
@@ -405,6 +440,8 @@ private:
   std::vector<T_mesh>& m_t_meshes;
   double m_target_edge_length;
   Expected_valence m_valence;
+  Surface_walker m_walker;
+  std::vector<Patch_source> m_sources;          // per patch
   bool m_forbids_empty_pieces = false;
   Arc_sides m_sides;
   std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
@@ -414,7 +451,7 @@ private:
   Vertex_classes m_classes;
   std::vector<Quad_origin> m_origin;    // per quad
   std::vector<int> m_singular_sector;   // per vertex: the closed singular sector it is at, -1 if there is none
-  int m_patch_to_fill = -1;
+  std::vector<int> m_patches_to_give_up;
 };
 
 } // namespace internal

@@ -33,6 +33,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Where the quads of a patch come from: its T-mesh, triangles of their size, or each triangle of the mesh.
+enum class Patch_source { T_MESH, FILLING, SPLIT_TRIANGLES };
+
 // What the stages before the assembly have found: one T-mesh per patch, without cells where the patch has no certified
 // map, and the number of quad edges of each piece and arc.
 struct Quad_layout
@@ -42,6 +45,7 @@ struct Quad_layout
   const Feature_network& network;
   const Seamless_map& map;
   const std::vector<T_mesh>& t_meshes;
+  const std::vector<Patch_source>& sources; // per patch
   const Arc_sides& sides;
   const std::vector<std::vector<int> >& edges_of_piece; // per patch
   const std::vector<int>& edges_of_arc;
@@ -49,7 +53,7 @@ struct Quad_layout
 };
 
 // The vertices that patches share, made once.
-struct Arc_vertices
+struct Placed_arcs
 {
   std::vector<int> of_node;               // per vertex of the triangle mesh, -1 if it is no node
   std::vector<Placed_arc> points;         // per arc
@@ -65,11 +69,11 @@ inline Surface_location location_on_halfedge(const int halfedge, const double fr
   return location;
 }
 
-// Whether a patch beside an arc has no T-mesh and is filled.
-inline bool is_beside_filled_patch(const Arc_sides& sides, const int arc)
+// Whether a patch beside an arc is made of split triangles.
+inline bool is_beside_split_patch(const Arc_sides& sides, const std::vector<Patch_source>& sources, const int arc)
 {
-  return std::any_of(sides[arc].begin(), sides[arc].end(),
-                     [](const Arc_side& side) { return side.patch >= 0 && side.pieces.empty(); });
+  return std::any_of(sides[arc].begin(), sides[arc].end(), [&](const Arc_side& side)
+                     { return side.patch >= 0 && sources[side.patch] == Patch_source::SPLIT_TRIANGLES; });
 }
 
 inline Placed_arc place_points(const Quad_layout& layout, const int arc)
@@ -87,8 +91,10 @@ inline Placed_arc place_points(const Quad_layout& layout, const int arc)
     points[s] = feature_arc.is_loop ? unrolled_loop(points[s], s == 0, polyline.length())
                                     : inner_points(points[s], s == 0);
   }
-  const std::vector<double> fixed = is_beside_filled_patch(layout.sides, arc)
+  const std::vector<double> fixed = is_beside_split_patch(layout.sides, layout.sources, arc)
                                   ? points_of_triangles(polyline, feature_arc) : std::vector<double>();
+  if(points[0].empty() && points[1].empty() && fixed.empty())
+    points[0] = evenly_spaced_points(polyline.length(), layout.edges_of_arc[arc], feature_arc.is_loop);
   Placed_arc placed = join_sides(points, fixed, feature_arc.is_loop, polyline.length());
   if(fixed.empty())
     move_to_breakpoints(polyline, layout.breakpoints[arc], feature_arc.is_loop, placed.length);
@@ -110,9 +116,9 @@ inline void keep_at_breakpoint(const Quad_layout& layout, const int arc, Quad_ve
   vertex.vertex = layout.embedding.vertex[previous_of(halfedges[place])];
 }
 
-inline Arc_vertices make_arc_vertices(const Quad_layout& layout, Quad_complex& complex)
+inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& complex)
 {
-  Arc_vertices result;
+  Placed_arcs result;
   result.of_node.assign(layout.embedding.point.size(), -1);
   for(int h = 0; h < layout.surface.number_of_halfedges(); ++h)
   {
@@ -158,7 +164,7 @@ class Patch_assembly
 {
 public:
   // The unknown of piece p is `first_unknown` plus p. Where pieces have no edges, vertices are joined in `classes`.
-  Patch_assembly(const Quad_layout& layout, const Arc_vertices& arc_vertices, const int patch, const int first_unknown,
+  Patch_assembly(const Quad_layout& layout, const Placed_arcs& placed_arcs, const int patch, const int first_unknown,
                  Quad_complex& complex, Vertex_classes& classes)
     : m_layout(layout), m_t_mesh(layout.t_meshes[patch]), m_edges(layout.edges_of_piece[patch]), m_patch(patch)
     , m_first_unknown(first_unknown), m_complex(complex), m_classes(classes)
@@ -167,7 +173,7 @@ public:
     for(std::size_t a = 0; a < layout.network.arcs.size(); ++a)
       for(int s = 0; s < 2; ++s)
         if(layout.sides[a][s].patch == patch)
-          give_vertices(layout.sides[a][s], arc_vertices, static_cast<int>(a), s);
+          give_vertices(layout.sides[a][s], placed_arcs, static_cast<int>(a), s);
     for(std::size_t n = 0; n < m_t_mesh.nodes.size(); ++n)
       if(m_vertex_of_node[n] < 0)
         m_vertex_of_node[n] = add_vertex(location_of_node(m_t_mesh.nodes[n]));
@@ -248,7 +254,7 @@ private:
   }
 
   // Gives the pieces of a side of an arc the vertices of the arc.
-  void give_vertices(const Arc_side& side, const Arc_vertices& arc_vertices, const int arc, const int number_of_side)
+  void give_vertices(const Arc_side& side, const Placed_arcs& placed_arcs, const int arc, const int number_of_side)
   {
     const std::vector<int>& vertices = m_complex.arcs[arc];
     const bool is_loop = m_layout.network.arcs[arc].is_loop;
@@ -256,7 +262,7 @@ private:
     // The second side runs against the arc: it begins where its unrolled list ends.
     int place = number_of_side == 0 ? 0 : n - 1;
     if(is_loop)
-      place += arc_vertices.points[arc].first_of_side[number_of_side];
+      place += placed_arcs.points[arc].first_of_side[number_of_side];
     const int step = number_of_side == 0 ? 1 : -1;
     for(const int p : side.pieces)
     {

@@ -261,6 +261,14 @@ inline void move_to_breakpoints(const Arc_polyline& polyline, const std::vector<
   }
 }
 
+inline std::vector<double> evenly_spaced_points(const double length, const int number_of_edges, const bool is_loop)
+{
+  std::vector<double> points;
+  for(int i = is_loop ? 0 : 1; i < number_of_edges; ++i)
+    points.push_back(length * i / number_of_edges);
+  return points;
+}
+
 // Joins the points of the two sides. A side without points has no opinion; `fixed`, unless empty, has the only one.
 inline Placed_arc join_sides(const std::array<std::vector<double>, 2>& sides, const std::vector<double>& fixed,
                              const bool is_loop, const double length)
