@@ -229,7 +229,7 @@ inline Grid_map grid_map(const Quad_grid& grid, std::mt19937& random)
   return result;
 }
 
-// Lengths in space: the map is an isometry with `scale` steps of the grid per unit.
+// Lengths and angles in space: the map is an isometry with `scale` steps of the grid per unit.
 inline void set_lengths(Grid_map& grid, const double scale)
 {
   grid.surface.length.clear();
@@ -237,6 +237,9 @@ inline void set_lengths(Grid_map& grid, const double scale)
   {
     const Grid_point edge = difference(grid.point(h), grid.point(previous_of(h)));
     grid.surface.length.push_back(std::hypot(static_cast<double>(edge[0]), static_cast<double>(edge[1])) / scale);
+    const Grid_point next_edge = difference(grid.point(next_of(h)), grid.point(h));
+    grid.surface.angle[h] = std::atan2(static_cast<double>(edge[0] * next_edge[1] - edge[1] * next_edge[0]),
+                                       static_cast<double>(-edge[0] * next_edge[0] - edge[1] * next_edge[1]));
   }
 }
 

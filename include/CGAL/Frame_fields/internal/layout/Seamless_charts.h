@@ -17,7 +17,6 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -220,11 +219,11 @@ public:
     const double determinant = to_double(wide_determinant(a.u, a.v, b.u, b.v));
     const double share_of_b = -static_cast<double>(left_of(direction, a)) / determinant;
     const double share_of_a = static_cast<double>(left_of(direction, b)) / determinant;
-    const std::array<double, 3> length = { m_surface.length[h], m_surface.length[h + 1], m_surface.length[h + 2] };
-    const double product = (length[2] * length[2] - length[0] * length[0] - length[1] * length[1]) / 2;
-    const double square = std::pow(share_of_a * length[0], 2) + std::pow(share_of_b * length[1], 2)
-                        + 2 * share_of_a * share_of_b * product;
-    return std::sqrt((std::max)(0., square));
+    // In the plane of the face, whose first edge is along x. (The law of cosines would lose the height of a flat face.)
+    const double length_of_b = share_of_b * m_surface.length[h + 1];
+    const double x = share_of_a * m_surface.length[h] - length_of_b * std::cos(m_surface.angle[h]);
+    const double y = length_of_b * std::sin(m_surface.angle[h]);
+    return std::hypot(x, y);
   }
 
 private:
