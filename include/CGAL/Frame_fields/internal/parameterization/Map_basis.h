@@ -40,8 +40,9 @@ struct Side_edge
 class Map_basis
 {
 public:
-  Map_basis(const Cut_surface& surface, const Patch& patch, const Cut_graph& graph, const Combed_field& field)
-    : m_surface(surface), m_patch(patch), m_graph(graph)
+  Map_basis(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index, const Cut_graph& graph,
+            const Combed_field& field)
+    : m_surface(surface), m_patch(patch), m_index(index), m_graph(graph)
     , m_number_of_coordinates(2 * graph.number_of_vertices)
   {
     collect_side_edges(field);
@@ -189,10 +190,49 @@ private:
              { m_parent[2 * e.source + e.growing_coordinate], -e.sign } };
   }
 
+  // The constrained edge that follows at the target of one.
+  int next_along_border(const int halfedge) const
+  {
+    int next = next_of(halfedge);
+    while(!m_surface.is_constrained(next))
+      next = next_of(m_surface.opposite[next]);
+    return next;
+  }
+
+  bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
+
+  // Whether the length of an edge, or of all edges from one corner to the next one, is 0 in all maps.
   bool finds_forced_zero_side(Integer_relations& relations) const
   {
+    std::vector<int> number_of(m_graph.vertex.size(), -1); // per halfedge of the patch: its place among the edges
+    for(std::size_t i = 0; i < m_side_edges.size(); ++i)
+    {
+      number_of[m_side_edges[i].halfedge - 3 * m_patch.faces.begin_index] = static_cast<int>(i);
+      if(relations.reduced(length_of(m_side_edges[i])).empty())
+        return true;
+    }
+    std::vector<char> is_added(m_side_edges.size(), false);
+    const auto is_side_zero = [&](const int first)
+    {
+      Integer_row length;
+      for(int h = first; ; h = next_along_border(h))
+      {
+        const int number = number_of[h - 3 * m_patch.faces.begin_index];
+        if(is_added[number])
+          break; // once around
+        is_added[number] = true;
+        const Integer_row part = length_of(m_side_edges[number]);
+        length.insert(length.end(), part.begin(), part.end());
+        if(ends_side(h))
+          break;
+      }
+      return !length.empty() && relations.reduced(length).empty();
+    };
+    for(const Side_edge& e : m_side_edges)
+      if(ends_side(e.halfedge) && is_side_zero(next_along_border(e.halfedge)))
+        return true;
     return std::any_of(m_side_edges.begin(), m_side_edges.end(), [&](const Side_edge& e)
-                       { return relations.reduced(length_of(e)).empty(); });
+                       { return is_side_zero(e.halfedge); }); // borders without corner
   }
 
   void collect_rows(Integer_relations& relations)
@@ -235,6 +275,7 @@ private:
 
   const Cut_surface& m_surface;
   const Patch& m_patch;
+  const std::vector<int>& m_index;
   const Cut_graph& m_graph;
   std::vector<Side_edge> m_side_edges;
   std::vector<int> m_parent; // per coordinate: the first one that is the same variable

@@ -94,7 +94,7 @@ public:
     , m_combing(comb(surface, patch, matching, root))
     , m_graph(Patch_cutter(surface, patch, index, m_combing).cut())
     , m_field(surface, patch, alpha, rho, m_combing)
-    , m_basis(surface, patch, m_graph, m_field)
+    , m_basis(surface, patch, index, m_graph, m_field)
     , m_elements(surface, patch, m_field, m_graph, target_length, m_basis.side_edges())
   {}
 
