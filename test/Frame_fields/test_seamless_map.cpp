@@ -2,6 +2,7 @@
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
 #include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
@@ -324,10 +325,12 @@ Cut_surface cut_surface(const Soup& soup)
   return surface;
 }
 
-Case make_case(const Soup& soup)
+Case make_case(const Soup& soup, const std::vector<int>& index_target = {})
 {
   Case result;
   result.surface = cut_surface(soup);
+  if(!index_target.empty())
+    result.surface.index_target = index_target;
   const Options options = options_from(CGAL::parameters::default_values());
   No_clock clock;
   Frame_field field;
@@ -555,6 +558,24 @@ TEST(Seamless_map, finds_the_step_on_a_ring)
     ASSERT_EQ(1u, indices.count(-1));
     EXPECT_EQ(std::vector<Map_status>{ Map_status::FORCED_ZERO_SIDE }, map_of(c).status);
   }
+}
+
+TEST(Seamless_map, makes_a_slope_of_the_step)
+{
+  const Soup step = tube(2, false);
+  Case c = make_case(step);
+  std::vector<int> index_target(c.index.size());
+  ASSERT_TRUE(propose_index_targets(c.surface, c.surface.patches[0], c.alpha, c.rho, c.matching, c.index,
+                                    index_target));
+  EXPECT_EQ(0, *std::max_element(index_target.begin(), index_target.end()));
+  EXPECT_EQ(0, *std::min_element(index_target.begin(), index_target.end()));
+  c = make_case(step, index_target);
+  EXPECT_EQ(index_target, c.index);
+  const Seamless_map map = map_of(c);
+  EXPECT_EQ(std::vector<Map_status>{ Map_status::CERTIFIED }, map.status);
+  expect_valid(c, map);
+  EXPECT_FALSE(propose_index_targets(c.surface, c.surface.patches[0], c.alpha, c.rho, c.matching, c.index,
+                                     index_target));
 }
 
 TEST(Seamless_map, knows_that_a_torus_with_one_pair_has_none)

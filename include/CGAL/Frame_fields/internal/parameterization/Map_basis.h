@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -55,6 +56,10 @@ public:
   int number_of_coordinates() const { return m_number_of_coordinates; }
   bool has_overflow() const { return m_has_overflow; }
   bool has_forced_zero_side() const { return m_has_forced_zero_side; }
+
+  // The sectors at both ends of such a side.
+  const std::array<int, 2>& forced_zero_side() const { return m_forced_zero_side; }
+
   const std::vector<Side_edge>& side_edges() const { return m_side_edges; }
 
   // Calls `visit(unknown, coefficient)` for the entries of one row of B.
@@ -201,32 +206,35 @@ private:
 
   bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
 
-  // Whether the length of an edge, or of all edges from one corner to the next one, is 0 in all maps.
-  bool finds_forced_zero_side(Integer_relations& relations) const
+  // Looks for a side, from one corner to the next one, whose length or a part of it is 0 in all maps.
+  bool finds_forced_zero_side(Integer_relations& relations)
   {
     std::vector<int> number_of(m_graph.vertex.size(), -1); // per halfedge of the patch: its place among the edges
     for(std::size_t i = 0; i < m_side_edges.size(); ++i)
-    {
       number_of[m_side_edges[i].halfedge - 3 * m_patch.faces.begin_index] = static_cast<int>(i);
-      if(relations.reduced(length_of(m_side_edges[i])).empty())
-        return true;
-    }
     std::vector<char> is_added(m_side_edges.size(), false);
     const auto is_side_zero = [&](const int first)
     {
       Integer_row length;
+      bool has_zero_edge = false;
+      int last = first;
       for(int h = first; ; h = next_along_border(h))
       {
         const int number = number_of[h - 3 * m_patch.faces.begin_index];
         if(is_added[number])
           break; // once around
         is_added[number] = true;
+        last = h;
         const Integer_row part = length_of(m_side_edges[number]);
         length.insert(length.end(), part.begin(), part.end());
+        has_zero_edge = has_zero_edge || relations.reduced(part).empty();
         if(ends_side(h))
           break;
       }
-      return !length.empty() && relations.reduced(length).empty();
+      if(length.empty() || !(has_zero_edge || relations.reduced(length).empty()))
+        return false;
+      m_forced_zero_side = { m_surface.sector[previous_of(first)], m_surface.sector[last] };
+      return true;
     };
     for(const Side_edge& e : m_side_edges)
       if(ends_side(e.halfedge) && is_side_zero(next_along_border(e.halfedge)))
@@ -283,6 +291,7 @@ private:
   int m_size = 0;
   bool m_has_overflow = false;
   bool m_has_forced_zero_side = false;
+  std::array<int, 2> m_forced_zero_side{ { -1, -1 } };
   std::vector<int> m_row_begin;   // per coordinate: B in compressed rows
   std::vector<int> m_unknown;     // per entry of B
   std::vector<int> m_coefficient; // per entry of B
