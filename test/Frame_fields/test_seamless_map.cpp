@@ -2,6 +2,7 @@
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
 #include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
@@ -164,8 +165,8 @@ Soup disk()
   return refined(soup);
 }
 
-// A tube, whose rows may close up with the next ones. Then its lower end has a step, and its upper end has one or not.
-Soup tube(const bool has_lower_step, const bool has_upper_step)
+// A tube whose rows close up after some steps. Then its lower end has a step, and its upper end has one or not.
+Soup tube(const int steps, const bool has_upper_step)
 {
   Soup soup;
   const int columns = 12, rows = 4;
@@ -175,14 +176,14 @@ Soup tube(const bool has_lower_step, const bool has_upper_step)
     if(i == columns)
     {
       i = 0;
-      j += has_lower_step;
+      j += steps;
     }
     const auto found = number.insert({ { i, j }, static_cast<int>(soup.points.size()) });
     if(!found.second)
       return found.first->second;
-    const bool is_flat = !has_lower_step || (!has_upper_step && j >= rows);
-    const double place = is_flat && j > rows ? i - 0.5 : i, angle = 2 * CGAL_PI * place / columns;
-    const double rise = has_upper_step ? 1 : 1 - j / double(rows);
+    const bool is_flat = steps == 0 || (!has_upper_step && j >= rows);
+    const double place = is_flat && j > rows ? (rows - j) / (steps + 1.) : i, angle = 2 * CGAL_PI * place / columns;
+    const double rise = has_upper_step ? steps : steps * (1 - j / double(rows));
     return soup.add(2 * std::cos(angle), 2 * std::sin(angle),
                     is_flat ? std::min(j, rows) : j + rise * i / double(columns));
   };
@@ -324,10 +325,12 @@ Cut_surface cut_surface(const Soup& soup)
   return surface;
 }
 
-Case make_case(const Soup& soup)
+Case make_case(const Soup& soup, const std::vector<int>& index_target = {})
 {
   Case result;
   result.surface = cut_surface(soup);
+  if(!index_target.empty())
+    result.surface.index_target = index_target;
   const Options options = options_from(CGAL::parameters::default_values());
   No_clock clock;
   Frame_field field;
@@ -494,7 +497,7 @@ TEST_P(Seamless_maps, are_seamless_for_all_integers)
     const Combing combing = comb(c.surface, patch, c.matching, patch.faces.begin_index);
     const Cut_graph graph = Patch_cutter(c.surface, patch, c.index, combing).cut();
     const Combed_field field(c.surface, patch, c.alpha, c.rho, combing);
-    const Map_basis basis(c.surface, patch, graph, field);
+    const Map_basis basis(c.surface, patch, c.index, graph, field);
     ASSERT_FALSE(basis.has_overflow());
     std::vector<std::int64_t> z(basis.size()), x;
     for(std::int64_t& z_i : z)
@@ -529,8 +532,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Seamless_maps, testing::Values(
   Known_map{ "wedge_of_40_degrees", [] { return wedge(40); } },
   Known_map{ "wedge_of_110_degrees", [] { return wedge(110); } },
   Known_map{ "wedge_of_170_degrees", [] { return wedge(170); } }, Known_map{ "disk", disk },
-  Known_map{ "ring", [] { return tube(false, false); } },
-  Known_map{ "helix", [] { return tube(true, true); } }, Known_map{ "torus", torus },
+  Known_map{ "ring", [] { return tube(0, false); } },
+  Known_map{ "helix", [] { return tube(1, true); } }, Known_map{ "torus", torus },
   Known_map{ "cube_with_features", [] { return cube(true); } },
   Known_map{ "cube_with_cones", [] { return cube(false); } }),
   [](const auto& info) { return info.param.name; });
@@ -544,13 +547,35 @@ TEST(Seamless_map, measures_lengths_in_target_lengths)
                 std::ldexp(static_cast<double>(std::abs(along(map, h))), -map.fraction_bits[0]), 1e-9);
 }
 
+// Around a ring the lower end comes back to its height: the step must vanish, of one edge or of two that may be long.
 TEST(Seamless_map, finds_the_step_on_a_ring)
 {
-  const Case c = make_case(tube(true, false));
-  const std::multiset<int> indices(c.index.begin(), c.index.end());
-  ASSERT_EQ(1u, indices.count(1));
-  ASSERT_EQ(1u, indices.count(-1));
-  EXPECT_EQ(std::vector<Map_status>{ Map_status::FORCED_ZERO_SIDE }, map_of(c).status);
+  for(const int steps : { 1, 2 })
+  {
+    const Case c = make_case(tube(steps, false));
+    const std::multiset<int> indices(c.index.begin(), c.index.end());
+    ASSERT_EQ(1u, indices.count(1));
+    ASSERT_EQ(1u, indices.count(-1));
+    EXPECT_EQ(std::vector<Map_status>{ Map_status::FORCED_ZERO_SIDE }, map_of(c).status);
+  }
+}
+
+TEST(Seamless_map, makes_a_slope_of_the_step)
+{
+  const Soup step = tube(2, false);
+  Case c = make_case(step);
+  std::vector<int> index_target(c.index.size());
+  ASSERT_TRUE(propose_index_targets(c.surface, c.surface.patches[0], c.alpha, c.rho, c.matching, c.index,
+                                    index_target));
+  EXPECT_EQ(0, *std::max_element(index_target.begin(), index_target.end()));
+  EXPECT_EQ(0, *std::min_element(index_target.begin(), index_target.end()));
+  c = make_case(step, index_target);
+  EXPECT_EQ(index_target, c.index);
+  const Seamless_map map = map_of(c);
+  EXPECT_EQ(std::vector<Map_status>{ Map_status::CERTIFIED }, map.status);
+  expect_valid(c, map);
+  EXPECT_FALSE(propose_index_targets(c.surface, c.surface.patches[0], c.alpha, c.rho, c.matching, c.index,
+                                     index_target));
 }
 
 TEST(Seamless_map, knows_that_a_torus_with_one_pair_has_none)

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -40,8 +41,9 @@ struct Side_edge
 class Map_basis
 {
 public:
-  Map_basis(const Cut_surface& surface, const Patch& patch, const Cut_graph& graph, const Combed_field& field)
-    : m_surface(surface), m_patch(patch), m_graph(graph)
+  Map_basis(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index, const Cut_graph& graph,
+            const Combed_field& field)
+    : m_surface(surface), m_patch(patch), m_index(index), m_graph(graph)
     , m_number_of_coordinates(2 * graph.number_of_vertices)
   {
     collect_side_edges(field);
@@ -54,6 +56,10 @@ public:
   int number_of_coordinates() const { return m_number_of_coordinates; }
   bool has_overflow() const { return m_has_overflow; }
   bool has_forced_zero_side() const { return m_has_forced_zero_side; }
+
+  // The sectors at both ends of such a side.
+  const std::array<int, 2>& forced_zero_side() const { return m_forced_zero_side; }
+
   const std::vector<Side_edge>& side_edges() const { return m_side_edges; }
 
   // Calls `visit(unknown, coefficient)` for the entries of one row of B.
@@ -189,10 +195,52 @@ private:
              { m_parent[2 * e.source + e.growing_coordinate], -e.sign } };
   }
 
-  bool finds_forced_zero_side(Integer_relations& relations) const
+  // The constrained edge that follows at the target of one.
+  int next_along_border(const int halfedge) const
   {
+    int next = next_of(halfedge);
+    while(!m_surface.is_constrained(next))
+      next = next_of(m_surface.opposite[next]);
+    return next;
+  }
+
+  bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
+
+  // Looks for a side, from one corner to the next one, whose length or a part of it is 0 in all maps.
+  bool finds_forced_zero_side(Integer_relations& relations)
+  {
+    std::vector<int> number_of(m_graph.vertex.size(), -1); // per halfedge of the patch: its place among the edges
+    for(std::size_t i = 0; i < m_side_edges.size(); ++i)
+      number_of[m_side_edges[i].halfedge - 3 * m_patch.faces.begin_index] = static_cast<int>(i);
+    std::vector<char> is_added(m_side_edges.size(), false);
+    const auto is_side_zero = [&](const int first)
+    {
+      Integer_row length;
+      bool has_zero_edge = false;
+      int last = first;
+      for(int h = first; ; h = next_along_border(h))
+      {
+        const int number = number_of[h - 3 * m_patch.faces.begin_index];
+        if(is_added[number])
+          break; // once around
+        is_added[number] = true;
+        last = h;
+        const Integer_row part = length_of(m_side_edges[number]);
+        length.insert(length.end(), part.begin(), part.end());
+        has_zero_edge = has_zero_edge || relations.reduced(part).empty();
+        if(ends_side(h))
+          break;
+      }
+      if(length.empty() || !(has_zero_edge || relations.reduced(length).empty()))
+        return false;
+      m_forced_zero_side = { m_surface.sector[previous_of(first)], m_surface.sector[last] };
+      return true;
+    };
+    for(const Side_edge& e : m_side_edges)
+      if(ends_side(e.halfedge) && is_side_zero(next_along_border(e.halfedge)))
+        return true;
     return std::any_of(m_side_edges.begin(), m_side_edges.end(), [&](const Side_edge& e)
-                       { return relations.reduced(length_of(e)).empty(); });
+                       { return is_side_zero(e.halfedge); }); // borders without corner
   }
 
   void collect_rows(Integer_relations& relations)
@@ -235,6 +283,7 @@ private:
 
   const Cut_surface& m_surface;
   const Patch& m_patch;
+  const std::vector<int>& m_index;
   const Cut_graph& m_graph;
   std::vector<Side_edge> m_side_edges;
   std::vector<int> m_parent; // per coordinate: the first one that is the same variable
@@ -242,6 +291,7 @@ private:
   int m_size = 0;
   bool m_has_overflow = false;
   bool m_has_forced_zero_side = false;
+  std::array<int, 2> m_forced_zero_side{ { -1, -1 } };
   std::vector<int> m_row_begin;   // per coordinate: B in compressed rows
   std::vector<int> m_unknown;     // per entry of B
   std::vector<int> m_coefficient; // per entry of B

@@ -94,7 +94,7 @@ public:
     , m_combing(comb(surface, patch, matching, root))
     , m_graph(Patch_cutter(surface, patch, index, m_combing).cut())
     , m_field(surface, patch, alpha, rho, m_combing)
-    , m_basis(surface, patch, m_graph, m_field)
+    , m_basis(surface, patch, index, m_graph, m_field)
     , m_elements(surface, patch, m_field, m_graph, target_length, m_basis.side_edges())
   {}
 
@@ -109,10 +109,11 @@ public:
               map.quarter_turns.begin() + 3 * m_patch.faces.begin_index);
     m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
     Map_status status = Map_status::SOLVER_FAILED;
-    for(int attempt = 0; attempt < maximum_number_of_attempts; ++attempt)
+    int steps_left = maximum_number_of_steps;
+    for(int attempt = 0; attempt < maximum_number_of_attempts && steps_left > 0; ++attempt)
     {
       std::vector<double> z;
-      if(!solve_and_untangle(solver_traits, z) || !write(z, map, fraction_bits))
+      if(!solve_and_untangle(solver_traits, z, steps_left) || !write(z, map, fraction_bits))
         return Map_status::SOLVER_FAILED;
       const Map_certificate certificate(m_surface, m_patch, m_index,
                                         [this](const int h) { return m_field.branch_along(h); }, map);
@@ -125,18 +126,23 @@ public:
   }
 
 private:
-  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 150;
+  // Budgets are in steps, not in seconds: the result must not depend on the machine.
+  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 450, steps_of_attempt = 150;
   static constexpr int number_of_improving_steps = 10;
 
   template <typename SolverTraits>
-  bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z) const
+  bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z, int& steps_left) const
   {
     const Frame_energy energy(m_elements, m_basis);
     auto solver = solver_traits.real_solver_object();
     if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
       return false;
     Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
-    if(!untangler.is_untangled() && untangler.untangle(maximum_number_of_steps))
+    if(untangler.is_untangled())
+      return true;
+    const bool is_untangled = untangler.untangle((std::min)(steps_of_attempt, steps_left));
+    steps_left -= untangler.number_of_steps();
+    if(is_untangled)
       untangler.improve(number_of_improving_steps);
     return true;
   }
