@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/Quad_quality.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
@@ -30,6 +31,7 @@
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/quad_mesh_quality.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/sharp_corners.h>
 #include <CGAL/Frame_fields/singularities.h>
