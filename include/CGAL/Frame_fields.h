@@ -16,14 +16,18 @@
 /// includes all functions of this package.
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
+#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/Quad_quality.h>
+#include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
+#include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/comb_frame_field.h>
 #include <CGAL/Frame_fields/detect_feature_edges.h>
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
@@ -33,6 +37,7 @@
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/quad_mesh_quality.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/seamless_parameterization.h>
 #include <CGAL/Frame_fields/sharp_corners.h>
@@ -41,9 +46,6 @@
 #include <CGAL/Frame_fields/split_chords.h>
 #include <CGAL/Frame_fields/split_overconstrained_faces.h>
 #include <CGAL/Frame_fields/trace_streamlines.h>
-
-#ifdef CGAL_EIGEN3_ENABLED
-#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #endif
 
 #endif // CGAL_FRAME_FIELDS_H

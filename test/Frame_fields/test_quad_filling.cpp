@@ -207,8 +207,8 @@ void expect_valid(const Quad_surface& s, const Arc_vertices& arc_vertices, const
   EXPECT_EQ(static_cast<int>(used.size()) - edges + static_cast<int>(complex.quads.size()),
             euler_characteristic_of_surface(s));
 
-  // Each edge of an arc is a side of a quad of the patch on each of its sides, and no other side is without neighbour or
-  // between patches.
+  // Each edge of an arc is a side of a quad of the patch on each of its sides, and no other side is without neighbour
+  // or between patches.
   std::set<Vertex_pair> on_arcs;
   for(std::size_t arc = 0; arc < arc_vertices.size(); ++arc)
     for(int i = 0; i < number_of_edges(arc_vertices, s.network, static_cast<int>(arc)); ++i)

@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_QUAD_STATISTICS_H
 #define CGAL_FRAME_FIELDS_QUAD_STATISTICS_H
 
+#include <CGAL/Frame_fields/Quad_quality.h>
 #include <CGAL/Frame_fields/Statistics.h>
 
 #include <cstddef>
@@ -68,26 +69,6 @@ struct Patch_quad_statistics
   std::size_t number_of_quads = 0;           ///< quadrangles of the result
   Patch_way way = Patch_way::CERTIFIED_MAP;  ///< where these come from
   std::string reason;                        ///< why the patch was filled; empty otherwise
-};
-
-/// \ingroup PkgFrame_fieldsRef
-///
-/// holds the figures of the quality of a quadrangle mesh.
-///
-/// The scaled Jacobian of a quadrangle is the smallest sine of its four corner angles, in the plane spanned by its
-/// diagonals: 1 for a rectangle, and not positive where the quadrangle is inverted.
-struct Quad_quality
-{
-  double minimum_scaled_jacobian = 0; ///< the smallest of all quadrangles
-  double mean_scaled_jacobian = 0;    ///< the mean of all quadrangles
-  std::size_t number_of_non_positive_quads = 0; ///< quadrangles whose scaled Jacobian is not positive
-
-  /// vertices on no feature or border edge that have not exactly four quadrangles
-  std::size_t number_of_irregular_vertices = 0;
-
-  /// sectors of vertices on feature or border edges that have not \f$ \max(1, \mathrm{round}(2 \theta / \pi)) \f$
-  /// quadrangles for their angle \f$ \theta \f$
-  std::size_t number_of_irregular_feature_sectors = 0;
 };
 
 /// \ingroup PkgFrame_fieldsRef

@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
+#include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
@@ -28,120 +29,125 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 /// \file cad_quad_mesh.h
 
 namespace CGAL {
 namespace Frame_fields {
 
-namespace internal {
-
-// The seconds of the field are one stage of the quads.
-struct No_stage_clock
-{
-  Stage_seconds seconds() const { return {}; }
-};
-
-// The size of the quads among the named parameters: one of both, or neither.
-struct Quad_size
-{
-  double target_edge_length; // 0 if it is not given
-  double number_of_quads;    // 0 if it is not given
-};
-
-template <typename NamedParameters>
-Quad_size quad_size_from(const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  return { static_cast<double>(choose_parameter(get_parameter(np, internal::target_edge_length), 0.)),
-           static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
-}
-
-template <typename NamedParameters>
-Result check_quad_size(const NamedParameters& np, const Quad_size& size)
-{
-  constexpr bool has_length =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal::target_edge_length_t>::value;
-  constexpr bool has_number =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal::number_of_quads_t>::value;
-  if(has_length && !(std::isfinite(size.target_edge_length) && size.target_edge_length > 0))
-    return failure(ERROR_WRONG_PARAMETER, "target_edge_length is " + std::to_string(size.target_edge_length)
-                                          + " and must be a finite positive number");
-  if(has_number && !(size.number_of_quads >= 1))
-    return failure(ERROR_WRONG_PARAMETER, "number_of_quads is " + std::to_string(size.number_of_quads)
-                                          + " and must be at least 1");
-  (void)np;
-  return {};
-}
-
-// In the unit of `Cut_surface::length`; by default the mean length of the edges.
-inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
-{
-  if(size.target_edge_length > 0)
-    return size.target_edge_length / surface.length_unit;
-  if(size.number_of_quads > 0)
-    return std::sqrt(surface_area(surface) / size.number_of_quads);
-  double sum = 0;
-  for(const double length : surface.length)
-    sum += length;
-  return sum / static_cast<double>(surface.length.size());
-}
-
-// The relaxed field of the quads.
-inline Quad_field quad_field_of(const Frame_field& field)
-{
-  Quad_field result{ field.alpha, std::vector<double>(field.alpha.size()), field.matching, field.index };
-  for(std::size_t f = 0; f < field.alpha.size(); ++f)
-  {
-    result.alpha[f] += field.gamma[f][0];
-    result.rho[f] = field.gamma[f][1] - field.gamma[f][0];
-  }
-  return result;
-}
-
-// Adds the quads to the caller's mesh and writes the maps of its elements. `unit` is that of the points of `embedding`
-// and the surface together.
-template <typename QuadMesh, typename NamedParameters>
-void output_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_complex& complex,
-                  const double unit, QuadMesh& quad_mesh, const NamedParameters& np)
-{
-  typedef typename boost::property_map<QuadMesh, CGAL::vertex_point_t>::type Point_map;
-  typedef typename boost::property_traits<Point_map>::value_type Point;
-  const Point_map points = get(CGAL::vertex_point, quad_mesh);
-  const auto is_constrained = CGAL::parameters::get_parameter(np, internal::output_edge_is_constrained);
-  const auto patch_of_face = CGAL::parameters::get_parameter(np, internal::face_to_patch);
-
-  const Quad_connectivity connectivity = connect_quads(complex);
-  const std::vector<char> is_on_arc = sides_on_arcs(complex);
-  const Written_quads<QuadMesh> written = write_quads(complex, connectivity, quad_mesh);
-  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
-  {
-    const Coordinates p = point_of(surface, embedding, complex.vertices[v]);
-    put(points, written.vertices[v], Point(unit * p[0], unit * p[1], unit * p[2]));
-  }
-  for(std::size_t q = 0; q < complex.quads.size(); ++q)
-    put_if_given(patch_of_face, written.faces[q], complex.patch[q]);
-  for(std::size_t side = 0; side < written.sides.size(); ++side)
-    put_if_given(is_constrained, edge(written.sides[side], quad_mesh), is_on_arc[side] != 0);
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgFrame_fieldsRef
 
-makes a quadrangle mesh of a triangle mesh that follows all feature and border edges.
+makes a quad mesh of a triangle mesh: its sides follow all feature and border edges, and its irregular vertices are the
+singularities of the frame field that `cad_frame_field()` computes.
 
-\todo
+The function works on a copy of `tm` that is prepared by `prepare_for_frame_field()`. Each patch, a piece of the
+surface between feature and border edges, gets a field, a certified seamless map (see `seamless_parameterization()`)
+and a T-mesh of rectangular cells. The numbers of quad edges of all cells and all feature curves are one integer
+program, a flow on a bidirected network. The cells become grids of quads, whose vertices then slide on the surface
+until the quads are well shaped.
+
+A patch for which there is no certified map, or no such integers, is filled with quads of about the same size instead;
+it then has more irregular vertices. So there is always a quad mesh. `statistics` tells which patches were filled, and
+why.
+
+The result contains quads only, and it is a manifold of the topology of `tm`. Every vertex at which feature edges end,
+meet or turn is a vertex of the result, and the feature edges between such vertices become chains of edges whose
+vertices are on them.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam QuadMesh a model of `MutableFaceGraph` with an internal property map for `CGAL::vertex_point_t`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh: manifold, oriented, with or without border, of any genus and any number of components
+\param quad_mesh gets the quads, in addition to what it has
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, and those of
+       `cad_frame_field()` but its output parameters, the guiding directions and the index targets
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map containing the feature edges of `tm`; border edges always count as such}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any edge}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class model of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+    \cgalParamExtra{Only the coordinates of points are read; all computation is in `double`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length that the edges of the quads should have, a length of `tm`}
+    \cgalParamType{`double`, positive and finite}
+    \cgalParamDefault{the mean length of the edges of `tm`}
+    \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by less than 2 percent of
+                    this length.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_quads}
+    \cgalParamDescription{about how many quads there should be, in place of `target_edge_length`}
+    \cgalParamType{a number, at least 1}
+    \cgalParamDefault{it follows from `target_edge_length`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an instance of the solver traits class}
+    \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
+                   = `double` for symmetric positive definite matrices}
+    \cgalParamDefault{`Eigen_frame_field_solver_traits` if \ref thirdpartyEigen "Eigen" is available and
+                      `CGAL_EIGEN3_ENABLED` is defined; there is no default otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{concurrency_tag}
+    \cgalParamDescription{tells whether patches are treated in parallel; the output is the same, bit for bit}
+    \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`}
+    \cgalParamDefault{`CGAL::Sequential_tag`}
+    \cgalParamExtra{`CGAL::Parallel_tag` requires TBB.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an instance of a visitor class, told when a stage starts}
+    \cgalParamType{a class that has the functions of `Default_quad_mesh_visitor`}
+    \cgalParamDefault{`Default_quad_mesh_visitor()`}
+    \cgalParamExtra{Pass `std::ref(visitor)` to have the instance itself called and not a copy.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{output_edge_is_constrained_map}
+    \cgalParamDescription{gets for each edge of the result whether it is on a feature or border edge of `tm`}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%edge_descriptor` as key
+                   type and `bool` as value type}
+    \cgalParamDefault{it is not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_to_patch_map}
+    \cgalParamDescription{gets for each face of the result the number of its patch, counted from 0}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%face_descriptor` as key
+                   type and `int` as value type}
+    \cgalParamDefault{it is not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{gets the counts, the way of each patch, the quality of the result and the seconds of each
+                          stage}
+    \cgalParamType{`std::reference_wrapper<Quad_statistics>`, that is `std::ref(s)` for an object `s` of type
+                   `Quad_statistics`}
+    \cgalParamDefault{they are not computed}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
+        its range gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh` then.
+
+What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
+fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
+
+\sa `quad_mesh_quality()`
+\sa `seamless_parameterization()`
+\sa `cad_frame_field()`
 */
 template <typename TriangleMesh, typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
@@ -194,6 +200,7 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   clock.start(Quad_stage::ASSEMBLY);
   internal::output_quads(surface, embedding, complex, given_unit, quad_mesh, np);
   clock.stop();
+  statistics.quality = internal::quality_of(surface, embedding, complex, given_unit);
   statistics.target_edge_length = target_edge_length * surface.length_unit * given_unit;
   statistics.seconds = clock.seconds();
   internal::put_statistics(CGAL::parameters::get_parameter(np, internal::statistics), statistics);

@@ -54,8 +54,8 @@ inline void print_quad_table(const Quad_summary& summary, const bool is_verbose)
   print_row("edge length", statistics.target_edge_length);
   print_row("quadrangles", statistics.number_of_quads);
   print_row("irregular inside", quality.number_of_irregular_vertices);
-  print_row("irregular on features", quality.number_of_irregular_feature_sectors);
-  print_row("inverted quadrangles", quality.number_of_non_positive_quads);
+  print_row("irregular on features", quality.number_of_irregular_sectors);
+  print_row("inverted quadrangles", quality.number_of_inverted_quads);
   print_row("least scaled Jacobian", quality.minimum_scaled_jacobian);
   print_row("mean scaled Jacobian", quality.mean_scaled_jacobian);
   print_seconds(statistics.seconds);

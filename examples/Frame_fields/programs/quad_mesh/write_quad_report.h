@@ -35,9 +35,9 @@ inline Json json_of(const CGAL::Frame_fields::Quad_quality& quality)
 {
   return { { "minimum_scaled_jacobian", quality.minimum_scaled_jacobian },
            { "mean_scaled_jacobian", quality.mean_scaled_jacobian },
-           { "non_positive_quads", quality.number_of_non_positive_quads },
+           { "non_positive_quads", quality.number_of_inverted_quads },
            { "irregular_vertices", quality.number_of_irregular_vertices },
-           { "irregular_feature_sectors", quality.number_of_irregular_feature_sectors } };
+           { "irregular_feature_sectors", quality.number_of_irregular_sectors } };
 }
 
 inline Json json_of(const CGAL::Frame_fields::Patch_quad_statistics& patch)

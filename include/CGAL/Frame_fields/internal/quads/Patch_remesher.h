@@ -22,11 +22,37 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
+
+// A place of the surface near the middle of vertices. A walk from one of them may end at a constrained edge, so it is
+// tried from each.
+inline Surface_location location_amid(const Surface_walker& walker, const Patch_triangulation& triangulation,
+                                      const std::vector<int>& vertices)
+{
+  Coordinates sum{ 0, 0, 0 };
+  for(const int v : vertices)
+    sum = sum + triangulation.point(v);
+  const Coordinates middle = 1. / static_cast<double>(vertices.size()) * sum;
+  Surface_location best;
+  double least_distance = std::numeric_limits<double>::infinity();
+  for(const int v : vertices)
+  {
+    Surface_location location = triangulation.vertices[v].location;
+    walker.walk_towards(location, middle);
+    const double distance_to_middle = distance(walker.point(location), middle);
+    if(distance_to_middle < least_distance || best.face < 0)
+    {
+      best = location;
+      least_distance = distance_to_middle;
+    }
+  }
+  return best;
+}
 
 // Changes the triangulation of a patch until each segment of its border has one halfedge, and edges inside have about
 // the given length.
@@ -55,6 +81,9 @@ public:
       flip_edges();
       relocate();
     }
+    split_flat_ears();
+    relocate();
+    relocate();
     return true;
   }
 
@@ -201,9 +230,7 @@ private:
   int middle(const int halfedge)
   {
     Patch_triangulation& t = m_triangulation;
-    const int source = t.source(halfedge);
-    Surface_location location = t.vertices[source].location;
-    m_walker.walk_towards(location, 0.5 * (t.point(source) + t.point(t.target[halfedge])));
+    const Surface_location location = location_amid(m_walker, t, { t.source(halfedge), t.target[halfedge] });
     return t.add_vertex(location, m_walker.point(location));
   }
 
@@ -239,6 +266,19 @@ private:
       if(!(new_shape > (std::min)(old_shape, good_shape)))
         t.vertices[v] = old;
     }
+  }
+
+  // A vertex of the border whose only triangle is flat would be the corner of only one quad, with an angle of 180
+  // degrees wherever its other vertices go. Another vertex gives it a second one.
+  void split_flat_ears()
+  {
+    const double flat = 0.2; // two equal sides at an angle of 136 degrees
+    Patch_triangulation& t = m_triangulation;
+    const int number_of_halfedges = t.number_of_halfedges();
+    for(int h = 0; h < number_of_halfedges; ++h)
+      if(t.has(h) && t.opposite[h] >= 0 && t.opposite[next_of(h)] < 0 && t.opposite[previous_of(h)] < 0
+         && shape(t.source(h), t.target[h], t.apex(h)) < flat)
+        t.split_edge(h, middle(h));
   }
 
   bool finish_border()

@@ -23,7 +23,6 @@
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +114,7 @@ public:
     for(int h = 0; h < t.number_of_halfedges(); ++h)
       if(t.has(h) && !m_is_joined[h] && t.opposite[h] < h)
       {
-        m_middle[h] = t.opposite[h] < 0 ? middle_of_segment(t.segment[h]) : add_near(h, { t.source(h), t.target[h] });
+        m_middle[h] = t.opposite[h] < 0 ? middle_of_segment(t.segment[h]) : add_near({ t.source(h), t.target[h] });
         if(t.opposite[h] >= 0)
           m_middle[t.opposite[h]] = m_middle[h];
       }
@@ -135,15 +134,9 @@ private:
     return static_cast<int>(m_complex.vertices.size()) - 1;
   }
 
-  // Adds a vertex near the middle of the given ones, the first of which is the source of the halfedge.
-  int add_near(const int halfedge, const std::vector<int>& vertices)
+  int add_near(const std::vector<int>& vertices)
   {
-    Coordinates sum{ 0, 0, 0 };
-    for(const int v : vertices)
-      sum = sum + m_triangulation.point(v);
-    Surface_location location = m_triangulation.vertices[m_triangulation.source(halfedge)].location;
-    m_walker.walk_towards(location, 1. / static_cast<double>(vertices.size()) * sum);
-    return add(location, -1);
+    return add(location_amid(m_walker, m_triangulation, vertices), -1);
   }
 
   void add_polygon(const int face)
@@ -163,7 +156,7 @@ private:
     std::vector<int> vertices;
     for(const int h : sides)
       vertices.push_back(t.source(h));
-    const int middle = add_near(sides[0], vertices);
+    const int middle = add_near(vertices);
     for(std::size_t k = 0; k < sides.size(); ++k)
     {
       const int previous = sides[(k + sides.size() - 1) % sides.size()];

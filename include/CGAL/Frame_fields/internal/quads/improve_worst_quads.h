@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -63,12 +63,24 @@ bool try_slides_around(const Sliding_quads& quads, const int vertex, const doubl
   return false;
 }
 
-// Searches slides of a vertex that raise the least scaled Jacobian of its quads. Returns whether there was one.
+// The length of the shortest side of the quads of a vertex that is at `point`.
+inline double shortest_side(const Sliding_quads& quads, const int vertex, const Coordinates& point)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(const int* c = quads.corners_begin(vertex); c != quads.corners_end(vertex); ++c)
+    for(const int k : { 1, 3 })
+      result = (std::min)(result, distance(point, quads.point(quads.quad(*c / 4)[(*c + k) % 4])));
+  return result;
+}
+
+// Searches slides of a vertex that raise the least scaled Jacobian of its quads. It does not depend on lengths, so that
+// sides would vanish if a bound did not keep them. Returns whether there was such a slide.
 inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
 {
   const int maximum_number_of_slides = 32, number_of_halvings = 6;
   const double least_gain = 1e-4;
-  double step = 0.25 * mean_length_of_sides(quads, vertex);
+  const double mean_length = mean_length_of_sides(quads, vertex), least_length = 0.2 * mean_length;
+  double step = 0.25 * mean_length;
   int number_of_slides = 0;
   for(int i = 0; i <= number_of_halvings;)
   {
@@ -76,6 +88,8 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
     const bool has_moved = try_slides_around(quads, vertex, step, [&](const Slide& slide)
     {
       if(!(quads.shape_around(vertex, slide, old_value + least_gain).scaled_jacobian > old_value + least_gain)
+         || shortest_side(quads, vertex, slide.point)
+              < (std::min)(least_length, shortest_side(quads, vertex, quads.point(vertex)))
          || (old_value <= 0 && quads.inverts_quad(vertex, slide)))
         return false;
       quads.move(vertex, slide);

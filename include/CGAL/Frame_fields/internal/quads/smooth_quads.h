@@ -162,11 +162,11 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   report.worst_before = quads.worst();
   report.inverted_before = number_of_inverted_quads(quads);
   Distortion_sweeps sweeps(quads, options.good_enough);
-  untangle_quads(quads);
+  bool may_untangle = untangle_quads(quads);
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
-    untangle_quads(quads);
+    may_untangle = may_untangle && untangle_quads(quads);
     improve_worst_quads(quads, options.bad);
     sweeps.run(options.number_of_sweeps / 2);
   }

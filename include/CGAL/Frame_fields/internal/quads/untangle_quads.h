@@ -48,7 +48,8 @@ public:
     }
   }
 
-  void run()
+  // Returns whether it has improved.
+  bool run()
   {
     const int number_of_rounds = 40;
     const std::pair<int, double> old_score = score();
@@ -71,6 +72,7 @@ public:
     if(!is_better)
       for(std::size_t i = 0; i < m_vertices.size(); ++i)
         m_quads.move(m_vertices[i], m_old_slide[i]);
+    return is_better;
   }
 
 private:
@@ -221,13 +223,16 @@ void for_each_tangled_part(const Sliding_quads& quads, const int number_of_rings
   }
 }
 
-inline void untangle_quads(Sliding_quads& quads)
+// Returns whether a part has improved.
+inline bool untangle_quads(Sliding_quads& quads)
 {
+  bool has_improved = false;
   for(const int number_of_rings : { 2, 5 })
     for_each_tangled_part(quads, number_of_rings, [&](const std::vector<int>& part, const std::vector<int>& vertices)
     {
-      Untangled_part(quads, part, vertices).run();
+      has_improved |= Untangled_part(quads, part, vertices).run();
     });
+  return has_improved;
 }
 
 } // namespace internal

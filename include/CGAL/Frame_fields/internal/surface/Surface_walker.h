@@ -59,6 +59,7 @@ public:
   // height, or the bound on the number of steps stopped the walk.
   bool walk(Surface_location& location, const Coordinates& displacement, const int maximum_number_of_steps = 1000) const
   {
+    turn_at_corner(location, displacement);
     std::array<double, 3> change = change_of_weights(location.face, displacement);
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
@@ -103,6 +104,30 @@ public:
   }
 
 private:
+  // At a corner: goes to the face of its sector into which the displacement points, if there is one. From another face
+  // the walk would have to go around the vertex first, and perhaps the way round that a constrained edge blocks.
+  void turn_at_corner(Surface_location& location, const Coordinates& displacement) const
+  {
+    const auto at = std::find(location.barycentric.begin(), location.barycentric.end(), 1.);
+    if(at == location.barycentric.end())
+      return;
+    const int corner = 3 * location.face + static_cast<int>(at - location.barycentric.begin());
+    bool is_found = false;
+    for_each_corner(m_surface.opposite, clockwise_most_corner(m_surface.opposite, corner), [&](const int c)
+    {
+      if(is_found)
+        return;
+      const std::array<double, 3> change = change_of_weights(face_of(c), displacement);
+      is_found = change[next_of(c) % 3] >= 0 && change[previous_of(c) % 3] >= 0 && change[c % 3] < 0;
+      if(is_found)
+      {
+        location.face = face_of(c);
+        location.barycentric = { 0, 0, 0 };
+        location.barycentric[c % 3] = 1;
+      }
+    });
+  }
+
   // The apex of a face over one of its halfedges: how far along it and how far to its left.
   struct Edge_chart
   {

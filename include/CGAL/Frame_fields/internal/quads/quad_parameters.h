@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_PARAMETERS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_PARAMETERS_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Quad_quality.h>
+#include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/make_quads.h>
+#include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The seconds of the field are one stage of the quads.
+struct No_stage_clock
+{
+  Stage_seconds seconds() const { return {}; }
+};
+
+// The size of the quads among the named parameters: one of both, or neither.
+struct Quad_size
+{
+  double target_edge_length; // 0 if it is not given
+  double number_of_quads;    // 0 if it is not given
+};
+
+template <typename NamedParameters>
+Quad_size quad_size_from(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return { static_cast<double>(choose_parameter(get_parameter(np, internal::target_edge_length), 0.)),
+           static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
+}
+
+template <typename NamedParameters>
+Result check_quad_size(const NamedParameters& np, const Quad_size& size)
+{
+  constexpr bool has_length =
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal::target_edge_length_t>::value;
+  constexpr bool has_number =
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal::number_of_quads_t>::value;
+  if(has_length && !(std::isfinite(size.target_edge_length) && size.target_edge_length > 0))
+    return failure(ERROR_WRONG_PARAMETER, "target_edge_length is " + std::to_string(size.target_edge_length)
+                                          + " and must be a finite positive number");
+  if(has_number && !(size.number_of_quads >= 1))
+    return failure(ERROR_WRONG_PARAMETER, "number_of_quads is " + std::to_string(size.number_of_quads)
+                                          + " and must be at least 1");
+  (void)np;
+  return {};
+}
+
+// In the unit of `Cut_surface::length`; by default the mean length of the edges.
+inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
+{
+  if(size.target_edge_length > 0)
+    return size.target_edge_length / surface.length_unit;
+  if(size.number_of_quads > 0)
+    return std::sqrt(surface_area(surface) / size.number_of_quads);
+  double sum = 0;
+  for(const double length : surface.length)
+    sum += length;
+  return sum / static_cast<double>(surface.length.size());
+}
+
+// The relaxed field of the quads.
+inline Quad_field quad_field_of(const Frame_field& field)
+{
+  Quad_field result{ field.alpha, std::vector<double>(field.alpha.size()), field.matching, field.index };
+  for(std::size_t f = 0; f < field.alpha.size(); ++f)
+  {
+    result.alpha[f] += field.gamma[f][0];
+    result.rho[f] = field.gamma[f][1] - field.gamma[f][0];
+  }
+  return result;
+}
+
+// Adds the quads to the caller's mesh and writes the maps of its elements. `unit` is that of the points of `embedding`
+// and the surface together.
+template <typename QuadMesh, typename NamedParameters>
+void output_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_complex& complex,
+                  const double unit, QuadMesh& quad_mesh, const NamedParameters& np)
+{
+  typedef typename boost::property_map<QuadMesh, CGAL::vertex_point_t>::type Point_map;
+  typedef typename boost::property_traits<Point_map>::value_type Point;
+  const Point_map points = get(CGAL::vertex_point, quad_mesh);
+  const auto is_constrained = CGAL::parameters::get_parameter(np, internal::output_edge_is_constrained);
+  const auto patch_of_face = CGAL::parameters::get_parameter(np, internal::face_to_patch);
+
+  const Quad_connectivity connectivity = connect_quads(complex);
+  const std::vector<char> is_on_arc = sides_on_arcs(complex);
+  const Written_quads<QuadMesh> written = write_quads(complex, connectivity, quad_mesh);
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+  {
+    const Coordinates p = point_of(surface, embedding, complex.vertices[v]);
+    put(points, written.vertices[v], Point(unit * p[0], unit * p[1], unit * p[2]));
+  }
+  for(std::size_t q = 0; q < complex.quads.size(); ++q)
+    put_if_given(patch_of_face, written.faces[q], complex.patch[q]);
+  for(std::size_t side = 0; side < written.sides.size(); ++side)
+    put_if_given(is_constrained, edge(written.sides[side], quad_mesh), is_on_arc[side] != 0);
+}
+
+
+// The quality of quads in space.
+inline Quad_quality quality_of(const Cut_surface& surface, const Surface_embedding& embedding,
+                               const Quad_complex& complex, const double unit)
+{
+  std::vector<Coordinates> points;
+  for(const Quad_vertex& vertex : complex.vertices)
+  {
+    const Coordinates p = point_of(surface, embedding, vertex);
+    points.push_back({ unit * p[0], unit * p[1], unit * p[2] });
+  }
+  return measure_quads(polygon_mesh(complex, points, sides_on_arcs(complex)));
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_PARAMETERS_H
