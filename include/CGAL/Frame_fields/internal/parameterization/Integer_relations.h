@@ -91,7 +91,8 @@ public:
       places.pop();
       const std::int64_t factor = m_value[elimination.variable];
       m_value[elimination.variable] = 0;
-      if(factor != 0)
+      m_has_overflow = m_has_overflow || std::abs(factor) > largest_coefficient;
+      if(factor != 0 && !m_has_overflow)
         for(const Integer_term& term : elimination.row)
           add_term(term.variable, factor * term.coefficient);
     }
