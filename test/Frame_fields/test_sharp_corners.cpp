@@ -138,7 +138,8 @@ TYPED_TEST(Sharp_corners, are_the_sectors_on_constrained_edges_below_the_bound)
     const Cad_mesh<TypeParam> cad_mesh(model);
     const Cut cut = cad_mesh.cut();
     for(const double bound : { 0., 30., 75., 135., 200., 361. })
-      EXPECT_EQ(constrained_sectors_below(cut, bound * degree - angle_tolerance), this->sharp_sectors(cad_mesh, cut, bound * degree));
+      EXPECT_EQ(constrained_sectors_below(cut, bound * degree - angle_tolerance),
+                this->sharp_sectors(cad_mesh, cut, bound * degree));
   }
 }
 
