@@ -71,8 +71,8 @@ double largest_index_error(const Cut& cut, const std::vector<double>& alpha, con
 double largest_misalignment(const Cut& cut, const Field& field);
 double largest_misalignment_in_space(const Cut& cut, const Field& field);
 
-// Sectors whose natural index is prescribed: sharp corners below a bound and blunt ones, of two quadrangles or more,
-// that differ from a straight angle by more than another bound.
+// The sectors whose natural index is prescribed: sharp corners below a bound, and blunt ones, of two quadrangles or
+// more, that differ from a straight angle by more than another bound.
 struct Corner_bounds
 {
   double sharp, blunt = std::numeric_limits<double>::infinity();

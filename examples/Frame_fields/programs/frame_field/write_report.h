@@ -76,6 +76,8 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
     { "unmeshable_after", summary.unmeshable_sectors.size() },
     { "repaired_sectors", statistics.number_of_repaired_sectors },
     { "unnatural_corners", statistics.number_of_unnatural_corners },
+    { "unnatural_sectors", statistics.number_of_unnatural_sectors },
+    { "unmeshable_inner_sectors", statistics.number_of_unmeshable_inner_sectors },
     { "index_histogram", json_of(summary.interior_indices, summary.constrained_indices) },
     { "energy_orthogonal", statistics.energy_orthogonal },
     { "energy_relaxed", statistics.energy_relaxed },
