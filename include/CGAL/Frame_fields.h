@@ -30,6 +30,7 @@
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/refine_triangles.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/sharp_corners.h>
 #include <CGAL/Frame_fields/singularities.h>
