@@ -88,7 +88,7 @@ void flip_and_split(TriangleMesh& tm, const Flips& flips, Splits& splits, const 
                     Refinement_statistics& statistics)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-  const double ratio = 1.5; // of the lengths
+  const double ratio = 1.2; // of the lengths
   const auto add = [&](const halfedge_descriptor h) { splits.add(h); };
   std::deque<halfedge_descriptor> changed;
   for(const auto e : edges(tm))
@@ -125,7 +125,7 @@ This gives fields and maps triangles to work with. The steps are:
 - Edges that are not constrained are flipped inside planes until the triangles there are Delaunay, which takes apart the
   fans of needles that cover planar faces.
 - The longest edges are split at their midpoints, the longest first, so that triangles are bisected at their longest
-  edge. Those that cannot be flipped count as twice as long. Both parts of a constrained edge are constrained.
+  edge. Those that cannot be flipped count as 1.4 times as long. Both parts of a constrained edge are constrained.
 - Edges are flipped again as in the first step.
 
 The last two steps are repeated for shorter and shorter edges, until none is longer than the bound.
