@@ -22,7 +22,7 @@ SURFACE, EDGE, INVERTED = (0.86, 0.89, 0.93), (0.36, 0.42, 0.50), (0.90, 0.10, 0
 # By valence; any other one has the last colour.
 INTERIOR = {3: ("valence 3", (0.85, 0.05, 0.08)), 5: ("valence 5", (0.10, 0.25, 0.95)),
             None: ("other valence", (0.95, 0.60, 0.0))}
-ON_FEATURE = ("sector with too few or too many", (0.0, 0.60, 0.35))
+ON_FEATURE = ("irregular on features", (0.0, 0.60, 0.35))
 
 
 class QuadMesh:
@@ -103,7 +103,6 @@ def scene(mesh, view, background):
     for _, colour, points in mesh.irregular_groups():
         if len(points):
             renderer.AddActor(ball_actor(points, radius, colour))
-    renderer.UseFXAAOn()
     view.apply_to(renderer, 4 * mesh.diagonal)
     return renderer
 

@@ -38,6 +38,7 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
 #include <CGAL/Frame_fields/quad_mesh_quality.h>
+#include <CGAL/Frame_fields/refine_triangles.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>
 #include <CGAL/Frame_fields/seamless_parameterization.h>
 #include <CGAL/Frame_fields/sharp_corners.h>

@@ -247,7 +247,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
         `ERROR_WRONG_FIELD` (a guiding direction or an index target that cannot be used), `ERROR_POINCARE_HOPF` (index
         targets that do not sum to the Euler characteristic; the message names what is missing),
-        `ERROR_NO_RECEIVING_SECTOR` (only for sharp bounds of \f$ \pi \f$ and more) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        `ERROR_NO_RECEIVING_SECTOR` (only for sharp bounds of \f$ \pi \f$ and more) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
 and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, but for two

@@ -125,8 +125,8 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
         `ERROR_WRONG_FIELD` (two index targets for one sector), `ERROR_POINCARE_HOPF` (index targets that do not sum to
-        the Euler characteristic; the message names what is missing), `ERROR_NO_RECEIVING_SECTOR` (only for sharp bounds of
-        \f$ \pi \f$ and more) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        the Euler characteristic; the message names what is missing), `ERROR_NO_RECEIVING_SECTOR` (only for sharp
+        bounds of \f$ \pi \f$ and more) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 One sparse factorization for each patch with sharp corners, of a matrix with one row less than the patch has sectors;
 none with `Support_strategy::none()` and `Support_strategy::local()`.

@@ -49,3 +49,4 @@ CGAL_add_named_parameter(output_edge_is_constrained_t, output_edge_is_constraine
 CGAL_add_named_parameter(face_to_patch_t, face_to_patch, face_to_patch_map)
 CGAL_add_named_parameter(uncertified_patch_output_iterator_t, uncertified_patch_output_iterator,
                          uncertified_patch_output_iterator)
+CGAL_add_named_parameter(flip_tolerance_t, flip_tolerance, flip_tolerance)

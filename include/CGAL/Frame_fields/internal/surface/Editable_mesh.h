@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -80,12 +82,19 @@ public:
   // Marks a new edge as unconstrained if the map can be written.
   void mark_unconstrained(const halfedge_descriptor h) const
   {
-    if constexpr(std::is_convertible<typename boost::property_traits<Constraint_map>::category,
-                                     boost::writable_property_map_tag>::value)
+    if constexpr(is_constraint_map_writable)
       put(m_edge_is_constrained, edge(h, m_mesh), false);
   }
 
+  // Gives a part of a split edge the mark of the other part if the map can be written.
+  void copy_constraint(const halfedge_descriptor from, const halfedge_descriptor to) const
+  {
+    if constexpr(is_constraint_map_writable)
+      put(m_edge_is_constrained, edge(to, m_mesh), get(m_edge_is_constrained, edge(from, m_mesh)));
+  }
+
   Point_3 point(const vertex_descriptor v) const { return get(m_points, v); }
+  Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(point(v), m_traits); }
   void set_point(const vertex_descriptor v, const Point_3& point) const { put(m_points, v, point); }
   Geom_traits traits() const { return m_traits; }
 
@@ -122,6 +131,9 @@ private:
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     CGAL::internal_np::edge_is_constrained_t, NamedParameters,
     CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+  static constexpr bool is_constraint_map_writable =
+    std::is_convertible<typename boost::property_traits<Constraint_map>::category,
+                        boost::writable_property_map_tag>::value;
 
   TriangleMesh& m_mesh;
   Vertex_point_map m_points;
