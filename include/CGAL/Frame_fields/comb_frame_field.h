@@ -110,9 +110,7 @@ Result comb_frame_field(const TriangleMesh& tm, MatchingMap matching_map, FirstB
   const internal::Cut_surface& surface = cut_mesh.surface();
   std::vector<int> first_branch(surface.number_of_faces()), quarter_turns(surface.number_of_dual_edges());
   for(const internal::Patch& patch : surface.patches)
-    internal::comb_patch(surface, patch, matching, first_branch);
-  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
-    quarter_turns[e] = internal::combed_matching(surface, matching, first_branch, e);
+    internal::comb_patch(surface, patch, matching, first_branch, quarter_turns);
   internal::write_on_faces(cut_mesh, first_branch, first_branch_map);
   internal::write_on_dual_edges(cut_mesh, quarter_turns, quarter_turn_map);
   return {};

@@ -41,7 +41,7 @@ inline std::vector<unsigned char> matching_on_halfedges(const Cut_surface& surfa
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
   {
     result[surface.dual_edges[e].halfedge - first] = modulo_4(matching[e]);
-    result[surface.dual_edges[e].opposite - first] = modulo_4(-matching[e]);
+    result[surface.dual_edges[e].opposite - first] = modulo_4(-modulo_4(matching[e]));
   }
   return result;
 }
