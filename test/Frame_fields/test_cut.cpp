@@ -106,13 +106,14 @@ Cut::Cut(std::vector<Point> points_, std::vector<int> opposite_)
     phi.push_back(h % 3 == 0 ? 0 : phi.back() + pi - angle[h - 1]);
   }
   for(int h = 0; h < number_of_halfedges(); ++h)
-    transport.push_back(is_constrained(h) ? 0 : phi[h] - phi[opposite[h]] - pi);
+    transport.push_back(is_constrained(h) ? 0 : std::remainder(phi[h] - phi[opposite[h]] - pi, 2 * pi));
 }
 
 double Cut::rotation(const std::vector<double>& alpha, const std::vector<int>& matching, const int h) const
 {
   const double r = -alpha[face_of(h)] + alpha[face_of(opposite[h])] + transport[h] + matching[h] * pi / 2;
-  return std::remainder(r, 2 * pi);
+  const bool is_half_turn = std::abs(transport[h]) > pi - 1e-9; // which is the same in both directions
+  return is_half_turn ? std::remainder(r, 2 * pi) : r;
 }
 
 std::vector<double> Cut::sums_around_sectors(const std::vector<double>& values) const
@@ -194,6 +195,18 @@ double largest_index_error(const Cut& cut, const std::vector<double>& alpha, con
   return largest(error);
 }
 
+std::vector<int> index_after_change(const Cut& cut, const Field& field, const std::vector<int>& new_matching)
+{
+  std::vector<double> change;
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    change.push_back(new_matching[h] - field.matching[h]);
+  const std::vector<double> change_of_sectors = cut.sums_around_sectors(change);
+  std::vector<int> result;
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    result.push_back(field.index[h] + static_cast<int>(change_of_sectors[cut.sector[h]]));
+  return result;
+}
+
 double largest_misalignment(const Cut& cut, const Field& field)
 {
   std::vector<double> angles;
@@ -226,30 +239,43 @@ double largest_misalignment_in_space(const Cut& cut, const Field& field)
   return largest(angles);
 }
 
-bool is_corner(const Cut& cut, const int s, const Corner_bounds& bounds)
+std::vector<char> prescribed_corners(const Cut& cut, const Corner_bounds& bounds)
 {
-  const bool is_blunt = cut.theta[s] >= 135 * degree - angle_tolerance
-                     && std::abs(cut.theta[s] - 180 * degree) > bounds.blunt;
-  return cut.is_constrained_sector[s] && (cut.theta[s] < bounds.sharp || is_blunt);
+  std::vector<char> is_sharp, is_blunt, patch_has_receiver(cut.number_of_patches, false);
+  for(int s = 0; s < cut.number_of_sectors(); ++s)
+  {
+    is_sharp.push_back(cut.is_sharp(s, bounds.sharp));
+    is_blunt.push_back(cut.is_constrained_sector[s] && cut.theta[s] >= 135 * degree - angle_tolerance
+                       && std::abs(cut.theta[s] - 180 * degree) > bounds.blunt);
+  }
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    if(!is_sharp[cut.sector[h]] && !is_blunt[cut.sector[h]])
+      patch_has_receiver[cut.patch[face_of(h)]] = true;
+  std::vector<char> is_corner = is_sharp;
+  for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    if(is_blunt[cut.sector[h]] && patch_has_receiver[cut.patch[face_of(h)]])
+      is_corner[cut.sector[h]] = true;
+  return is_corner;
 }
 
 std::vector<double> rotation_demand_of_rings(const Cut& cut, const int number_of_rings, const Corner_bounds& bounds)
 {
   const std::vector<std::vector<int> > neighbors = neighbors_of_sectors(cut);
+  const std::vector<char> is_corner = prescribed_corners(cut, bounds);
   std::vector<double> demand(cut.number_of_sectors(), 0);
   for(int corner = 0; corner < cut.number_of_sectors(); ++corner)
   {
-    if(!is_corner(cut, corner, bounds))
+    if(!is_corner[corner])
       continue;
     const std::map<int, int> distance = distances_from(corner, neighbors);
     int reach = std::numeric_limits<int>::max();
     for(const auto& [s, d] : distance)
-      if(!is_corner(cut, s, bounds))
+      if(!is_corner[s])
         reach = (std::min)(reach, d);
     reach = (std::max)(reach, number_of_rings);
     std::vector<int> receivers;
     for(const auto& [s, d] : distance)
-      if(!is_corner(cut, s, bounds) && d <= reach)
+      if(!is_corner[s] && d <= reach)
         receivers.push_back(s);
 
     const double wanted = rotation_demand(cut.theta[corner]);
@@ -262,18 +288,19 @@ std::vector<double> rotation_demand_of_rings(const Cut& cut, const int number_of
 
 std::vector<double> rotation_demand_of_component(const Cut& cut, const Corner_bounds& bounds)
 {
+  const std::vector<char> is_corner = prescribed_corners(cut, bounds);
   std::vector<int> patch_of_sector(cut.number_of_sectors());
   for(int h = 0; h < cut.number_of_halfedges(); ++h)
     patch_of_sector[cut.sector[h]] = cut.patch[face_of(h)];
   std::vector<double> total(cut.number_of_patches, 0), number_of_receivers(cut.number_of_patches, 0);
   for(int s = 0; s < cut.number_of_sectors(); ++s)
-    if(is_corner(cut, s, bounds))
+    if(is_corner[s])
       total[patch_of_sector[s]] += rotation_demand(cut.theta[s]);
     else
       ++number_of_receivers[patch_of_sector[s]];
   std::vector<double> demand;
   for(int s = 0; s < cut.number_of_sectors(); ++s)
-    demand.push_back(is_corner(cut, s, bounds) ? rotation_demand(cut.theta[s])
+    demand.push_back(is_corner[s] ? rotation_demand(cut.theta[s])
                                                : -total[patch_of_sector[s]] / number_of_receivers[patch_of_sector[s]]);
   return demand;
 }

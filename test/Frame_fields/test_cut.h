@@ -36,7 +36,7 @@ public:
   bool is_constrained(const int h) const { return opposite[h] < 0; }
   bool is_sharp(const int s, const double bound) const { return is_constrained_sector[s] && theta[s] < bound; }
 
-  // r_ij across an unconstrained edge, between -pi and pi since branches are counted modulo 4.
+  // r_ij across an unconstrained edge.
   double rotation(const std::vector<double>& alpha, const std::vector<int>& matching, int h) const;
   // The sum of values of halfedges counter-clockwise around each sector.
   std::vector<double> sums_around_sectors(const std::vector<double>& values) const;
@@ -62,9 +62,13 @@ double largest_difference(const std::vector<double>& values, const std::vector<d
 // Fails if the index is not the same on all corners of a sector.
 std::vector<int> poincare_hopf_defects(const Cut& cut, const std::vector<int>& index);
 
-// |4I - index| of eq. (3), from an orthogonal field and its matching.
+// |4I - index| of eq. (3), from an orthogonal field and its matching. The rotations must be less than a half turn
+// across edges whose transport is a half turn, where its sign decides otherwise.
 double largest_index_error(const Cut& cut, const std::vector<double>& alpha, const std::vector<int>& matching,
                            const std::vector<int>& index);
+
+// The index of a field when another matching takes the place of its own.
+std::vector<int> index_after_change(const Cut& cut, const Field& field, const std::vector<int>& new_matching);
 
 // The angle between a constrained edge and the nearest branch: by angles in the face, and in space for faces without
 // very small angles.
@@ -72,12 +76,13 @@ double largest_misalignment(const Cut& cut, const Field& field);
 double largest_misalignment_in_space(const Cut& cut, const Field& field);
 
 // The sectors whose natural index is prescribed: sharp corners below a bound, and blunt ones, of two quadrangles or
-// more, that differ from a straight angle by more than another bound.
+// more, that differ from a straight angle by more than another bound. The blunt ones do not count in a patch where all
+// sectors are corners.
 struct Corner_bounds
 {
   double sharp, blunt = std::numeric_limits<double>::infinity();
 };
-bool is_corner(const Cut& cut, int s, const Corner_bounds& bounds);
+std::vector<char> prescribed_corners(const Cut& cut, const Corner_bounds& bounds); // per sector
 
 // K of the strategies `rings(k)` and `component`.
 std::vector<double> rotation_demand_of_rings(const Cut& cut, int number_of_rings, const Corner_bounds& bounds);
