@@ -146,7 +146,8 @@ inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& co
     {
       Quad_vertex vertex;
       vertex.arc = static_cast<int>(a);
-      vertex.position = polyline.position_at(std::fmod(length, polyline.length()));
+      const double rest = std::fmod(length, polyline.length()); // the points of a loop may begin before it
+      vertex.position = polyline.position_at(rest < 0 ? rest + polyline.length() : rest);
       const int place = (std::min)(static_cast<int>(vertex.position), static_cast<int>(arc.halfedges.size()) - 1);
       vertex.location = location_on_halfedge(arc.halfedges[place], vertex.position - place);
       keep_at_breakpoint(layout, static_cast<int>(a), vertex);
