@@ -16,7 +16,6 @@
 /// includes all functions of this package.
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
-#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/No_index_target.h>
@@ -47,6 +46,9 @@
 #include <CGAL/Frame_fields/split_chords.h>
 #include <CGAL/Frame_fields/split_overconstrained_faces.h>
 #include <CGAL/Frame_fields/trace_streamlines.h>
+
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #endif
 
 #endif // CGAL_FRAME_FIELDS_H
