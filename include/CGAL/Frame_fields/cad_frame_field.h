@@ -251,9 +251,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
-and twice its faces. All other work takes \cgalBigO{n} time and memory for \f$ n \f$ faces, with two
-exceptions: `Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for
-each quarter index that it moves, \cgalBigO{n \log n} at most.
+and twice its faces. All other work takes \cgalBigO{n} time and memory for \f$ n \f$ faces, with two exceptions:
+`Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for each
+quarter index that it moves, \cgalBigO{n \log n} at most.
 
 \sa `split_overconstrained_faces()`
 \sa `frame_vectors()`

@@ -79,18 +79,12 @@ depend on the number of threads.
     \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
   \cgalParamNEnd
   \cgalParamNBegin{repair_matching}
-    \cgalParamDescription{tells whether the matching is changed until no sector on a constrained edge has an index of
-                          \f$ 1/2 \f$ or more}
+    \cgalParamDescription{tells whether the matching is changed until every sector on constrained
+                          edges has its natural index, see `cad_frame_field()`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
-                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
-                    least. The first part succeeds in every patch of at least four sectors.}
-  \cgalParamNEnd
-  \cgalParamNBegin{sharp_corner_bound}
-    \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
-    \cgalParamType{`double`, not negative}
-    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+    \cgalParamExtra{Indices move inside along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. A
+                    patch has room for this after `prepare_for_frame_field()`.}
   \cgalParamNEnd
   \cgalParamNBegin{guiding_direction_map}
     \cgalParamDescription{a direction near which one of the four branches should be in each face; its projection to the

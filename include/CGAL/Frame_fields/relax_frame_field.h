@@ -96,18 +96,12 @@ indices stay what they are.
     \cgalParamDefault{\f$ 0.45 \pi \f$}
   \cgalParamNEnd
   \cgalParamNBegin{repair_matching}
-    \cgalParamDescription{tells whether a matching that was not given is changed until no sector on a constrained edge
-                          has an index of \f$ 1/2 \f$ or more}
+    \cgalParamDescription{tells whether a matching that was not given is changed until every sector on
+                          constrained edges has its natural index, see `cad_frame_field()`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
-                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
-                    least. The first part succeeds in every patch of at least four sectors.}
-  \cgalParamNEnd
-  \cgalParamNBegin{sharp_corner_bound}
-    \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
-    \cgalParamType{`double`, not negative}
-    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+    \cgalParamExtra{Indices move inside along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. A
+                    patch has room for this after `prepare_for_frame_field()`.}
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
     \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
