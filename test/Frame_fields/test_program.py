@@ -401,7 +401,7 @@ class ProgramTest(unittest.TestCase):
 class Usage(ProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
-        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        manual = (paths.sources / "doc/Frame_fields/Programs.txt").read_text()
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
                        "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
@@ -413,7 +413,7 @@ class Usage(ProgramTest):
                 self.assertIn(option.lower(), manual.lower())
 
     def test_manual_names_every_option_of_the_help(self):
-        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        manual = (paths.sources / "doc/Frame_fields/Programs.txt").read_text()
         for option in re.findall(r"^  .*?(--[a-z-]+)", self.succeed("--help").stdout, re.MULTILINE):
             self.assertIn(option, manual)
 

@@ -144,7 +144,7 @@ class QuadUsage(QuadProgramTest):
             self.assertIn(option, text)
 
     def test_manual_names_every_option_of_the_help(self):
-        manual = (paths.sources / "doc/Frame_fields/Frame_fields.txt").read_text()
+        manual = (paths.sources / "doc/Frame_fields/Programs.txt").read_text()
         for option in re.findall(r"^  .*?(--[a-z-]+)", self.succeed("--help").stdout, re.MULTILINE):
             self.assertIn(option, manual)
 

@@ -122,6 +122,54 @@ def draw_sectors():
     picture.write("sectors.svg")
 
 
+def draw_frame(picture, center, radius, alpha, rho):
+    """Draws the four branches of a frame as arrows with their numbers."""
+    for k in range(4):
+        angle = alpha + 90 * k + (rho if k % 2 else 0)
+        tip, color = polar(center, radius, angle), BRANCHES[k % 2]
+        picture.lines([(center, tip)] + [(tip, polar(tip, 9, angle + 180 + side)) for side in (-25, 25)], color, 2.2)
+        label = polar(center, radius + 13, angle)
+        picture.text((label[0], label[1] + 4), str(k))
+
+
+def draw_angle(picture, center, radius, first, last, words):
+    picture.path([polar(center, radius, first + (last - first) * k / 24) for k in range(25)], INK, 1)
+    label = polar(center, radius + 13, (first + last) / 2)
+    picture.text((label[0], label[1] + 4), words)
+
+
+def draw_halfedge(picture, source, target):
+    picture.line(source, target, FEATURE, 2.6)
+    angle = math.degrees(math.atan2(source[1] - target[1], target[0] - source[0]))
+    picture.lines([(target, polar(target, 11, angle + 180 + side)) for side in (-25, 25)], FEATURE, 2.6)
+
+
+def draw_branches():
+    picture = Picture(760, 300)
+    triangle, center = [(30, 250), (330, 250), (160, 20)], (165, 165)
+    picture.path(triangle, GRID, 1, TINTS[0], True)
+    draw_halfedge(picture, triangle[0], triangle[1])
+    picture.lines([(polar(center, 8 * k, 0), polar(center, 8 * k + 4, 0)) for k in range(11)], GRID, 1.2)
+    picture.lines([(polar(center, 8 * k, 115), polar(center, 8 * k + 4, 115)) for k in range(8)], GRID, 1.2)
+    draw_frame(picture, center, 62, 25, 18)
+    draw_angle(picture, center, 40, 0, 25, "\u03b1")
+    draw_angle(picture, center, 50, 115, 133, "")
+    picture.text(polar(center, 70, 121), "\u03c1")
+    picture.text((180, 270), "halfedge(f)", 12)
+    picture.text((180, 292), "the four branches of a face", 12)
+
+    ends, faces = [(570, 245), (560, 25)], [(400, 150), (735, 120)]
+    for apex, tint, words in zip(faces, TINTS, "ij"):
+        picture.path(ends + [apex], GRID, 1, tint, True)
+        picture.text((apex[0] + (24 if words == "i" else -24), apex[1] + 4), words)
+    picture.line(ends[0], ends[1], GRID, 1.6)
+    draw_frame(picture, (495, 140), 30, 12, 0)
+    draw_frame(picture, (640, 130), 30, -84, 0)
+    picture.text((570, 270), "matching 1: branch 0 of face i goes on as branch 1 of face j,", 12)
+    picture.text((570, 287), "branch 1 as branch 2, and so on", 12)
+    picture.write("branches.svg")
+
+
 def read_ply(file_name):
     """Returns the elements of a PLY file in text form: for each name a list of dictionaries."""
     with open(file_name, encoding="ascii") as file:
@@ -201,6 +249,7 @@ def draw_computed_fields(program):
 
 
 if __name__ == "__main__":
+    draw_branches()
     draw_indices()
     draw_sectors()
     if len(sys.argv) > 1:

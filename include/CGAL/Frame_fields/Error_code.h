@@ -73,8 +73,8 @@ inline const char* get_error_message(int error_code)
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// is what the functions of this package return: an error code, and for a failure a message that names the element at
-/// fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by the coordinates of one of
+/// is the return type of the functions of this package: an error code, and on failure a message that names the element
+/// at fault. A face is named by its place in the order of `faces(tm)`, counted from 0, and by the coordinates of one of
 /// its vertices. When `error_code` is not `OK`, no output map was written and no output iterator was advanced.
 struct [[nodiscard]] Result
 {

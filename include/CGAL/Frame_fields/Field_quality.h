@@ -19,7 +19,7 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// holds the figures that `frame_field_quality()` takes of a frame field.
+/// holds the measures that `frame_field_quality()` computes.
 struct Field_quality
 {
   /// \f$ \sum w_{ij} ((r^0_{ij})^2 + (r^1_{ij})^2) \f$ over the unconstrained edges, in squared radians

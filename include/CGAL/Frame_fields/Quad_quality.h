@@ -21,7 +21,7 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// holds the figures that `quad_mesh_quality()` takes of a quad mesh.
+/// holds the measures that `quad_mesh_quality()` computes.
 ///
 /// The scaled Jacobian of a quad is that of the Verdict library: the least over its corners of the sine of the angle
 /// there, seen along the normal of the quad's principal axes. It is 1 for rectangles and not positive for quads that

@@ -40,8 +40,8 @@ struct Streamline
   /// branches both point to this edge has that of the face in `faces`
   std::vector<int> branches;
 
-  /// 0 or 1: branch pairs of neighboring faces that the matching joins have the same number, except across seams that
-  /// singularities make necessary; what most of the line has
+  /// 0 or 1: the number of the branch pair that most of the line follows. Branch pairs of neighboring faces that the
+  /// matching joins have the same number, except across the seams that singularities make necessary.
   int branch_pair;
 
   /// whether the line ends where it begins

@@ -153,8 +153,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{`NO_INDEX_TARGET` for all halfedges}
-    \cgalParamExtra{A patch with one target has one for each of its sectors: those that are not given are 0 inside, and
-                    on constrained edges the index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
+    \cgalParamExtra{If any sector of a patch has a target, all have: by default 0 inside, and on constrained edges the
+                    index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
                     characteristic of the patch, and none may be beyond \f$ \pm 250 \f$ turns.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weighting}
@@ -251,9 +251,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
         `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch up to three sparse factorizations, of matrices with at most as many rows as the patch has sectors, faces,
-and twice its faces. What is not spent there is \cgalBigO{n} in time and in memory for \f$ n \f$ faces, but for two
-things: `Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for
-each quarter index that it moves, \cgalBigO{n \log n} at most.
+and twice its faces. All other work takes \cgalBigO{n} time and memory for \f$ n \f$ faces, with two exceptions:
+`Support_strategy::rings()` visits the rings of each sharp corner, and the repair searches the patch once for each
+quarter index that it moves, \cgalBigO{n \log n} at most.
 
 \sa `split_overconstrained_faces()`
 \sa `frame_vectors()`

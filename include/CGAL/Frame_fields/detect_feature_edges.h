@@ -78,8 +78,8 @@ finds feature edges by the angles between the normals of their faces, and cleans
    the smaller turns is taken.
 -# Features form chains, which reach from one vertex where not exactly two features meet to the next. A chain shorter
    than the minimum length is no feature if one of its ends dangles, or if it is closed and meets no other. The shortest
-   chain goes first; two chains that are left at a vertex become one. So a spur goes and the chain that it
-   is on stays, and nothing is taken out of the boundary of a patch.
+   chain goes first; two chains that are left at a vertex become one. So spurs are removed; the
+   chains that they branch from and the boundaries of patches stay.
 
 Border edges always are features. Coordinates have errors, so a face that is hardly higher than they are has no normal
 of its own: one whose height over its longest edge is at most 4.5 times the error of a coordinate. The normal of the
@@ -177,8 +177,8 @@ Result detect_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_fea
 /*!
 \ingroup PkgFrame_fieldsRef
 
-lists the dangling ends of features: the vertices at which exactly one feature edge ends. There a curve stops inside a
-patch, which a sector of a full turn around its end tells the field; often the features miss an edge.
+lists the dangling ends of features: the vertices at which exactly one feature edge ends. There a curve ends inside a
+patch, and the field sees one sector of a full turn. Often an edge of the features is missing.
 
 \tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a class model of `ReadablePropertyMap` with

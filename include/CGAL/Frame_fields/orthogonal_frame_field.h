@@ -79,18 +79,12 @@ depend on the number of threads.
     \cgalParamDefault{\f$ \omega_{ij} = 0 \f$}
   \cgalParamNEnd
   \cgalParamNBegin{repair_matching}
-    \cgalParamDescription{tells whether the matching is changed until no sector on a constrained edge has an index of
-                          \f$ 1/2 \f$ or more}
+    \cgalParamDescription{tells whether the matching is changed until every sector on constrained
+                          edges has its natural index, see `cad_frame_field()`}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
-    \cgalParamExtra{Sharp corners are brought to the index nearest to their angle as well, where this adds no
-                    singularity. Indices move along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the
-                    least. The first part succeeds in every patch of at least four sectors.}
-  \cgalParamNEnd
-  \cgalParamNBegin{sharp_corner_bound}
-    \cgalParamDescription{the angle under which a sector is a sharp corner for the repair, in radians}
-    \cgalParamType{`double`, not negative}
-    \cgalParamDefault{\f$ 3 \pi / 4 \f$}
+    \cgalParamExtra{Indices move inside along paths that raise \f$ \sum w_{ij} (r_{ij} - \omega_{ij})^2 \f$ the least. A
+                    patch has room for this after `prepare_for_frame_field()`.}
   \cgalParamNEnd
   \cgalParamNBegin{guiding_direction_map}
     \cgalParamDescription{a direction near which one of the four branches should be in each face; its projection to the
@@ -114,8 +108,8 @@ depend on the number of threads.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{`NO_INDEX_TARGET` for all halfedges}
-    \cgalParamExtra{A patch with one target has one for each of its sectors: those that are not given are 0 inside, and
-                    on constrained edges the index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
+    \cgalParamExtra{If any sector of a patch has a target, all have: by default 0 inside, and on constrained edges the
+                    index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
                     characteristic of the patch, and none may be beyond \f$ \pm 250 \f$ turns.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weighting}

@@ -95,8 +95,8 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type}
     \cgalParamDefault{`NO_INDEX_TARGET` for all halfedges}
-    \cgalParamExtra{A patch with one target has one for each of its sectors: those that are not given are 0 inside, and
-                    on constrained edges the index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
+    \cgalParamExtra{If any sector of a patch has a target, all have: by default 0 inside, and on constrained edges the
+                    index nearest to the angle, at most \f$ 1/4 \f$. They must sum to the Euler
                     characteristic of the patch, and none may be beyond \f$ \pm 250 \f$ turns.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weighting}

@@ -231,8 +231,8 @@ private:
                          { visit(s, -d, guide_weight(m_surface, face)); });
   }
 
-  // What no square holds to 0 may move together, each unknown by the same amount up to its sign. One unknown of each
-  // such piece is fixed at 0. A piece is held if it meets 0 or itself with the other sign.
+  // Unknowns that no term ties to 0 form pieces that may shift by a common constant, up to sign. One unknown of each
+  // piece is fixed at 0. A piece is held if it meets 0 or itself with the other sign.
   void fix_what_is_free()
   {
     if(has_face([this](const int f) { return m_orthogonality.ties(f); })

@@ -31,7 +31,7 @@ typedef std::complex<double> Complex;
 // such a mean, direct or iterative, is smaller still.
 constexpr double largest_vanishing_ratio = 1e-6;
 
-// That the value of `to` is the one of `from` times `factor`, without the rotation that the field makes between them.
+// States that z[to] = factor * z[from] for a field without rotation between them.
 struct Vanishing_value_link
 {
   int from, to;

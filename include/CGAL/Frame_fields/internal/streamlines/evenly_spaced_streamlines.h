@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  // The number of the line that all constrained edges are.
+  // The line number that all constrained edges share.
   static constexpr int constrained_edge = -1;
 
   // Far more than rounding errors, far less than what is seen.

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Where a point of a face is in space.
+// The point in space with the given barycentric coordinates in a face.
 template <typename TriangleMesh, typename CutMesh>
 Coordinates position(const TriangleMesh& tm, const CutMesh& cut_mesh, const int face, const Corner_weights& weights)
 {

@@ -75,7 +75,7 @@ struct Cut_surface
   int number_of_dual_edges() const { return static_cast<int>(dual_edges.size()); }
   bool is_constrained(const int halfedge) const { return opposite[halfedge] < 0; }
 
-  // A sector is on a constrained edge unless one can turn around it for ever.
+  // A sector is on a constrained edge unless its fan of corners is closed.
   bool is_constrained_sector(const int s) const;
 
   bool is_aligned(const int face) const { return !std::isnan(alignment[face]); }
