@@ -61,7 +61,7 @@ struct Unit_weight_map
   friend double get(const Unit_weight_map&, const Face&) { return 1; }
 };
 
-// A mesh cut along its constrained edges: the only code that reads meshes.
+// A mesh cut along its constrained edges: reads the mesh for all stages, which see its `Cut_surface` only.
 template <typename TriangleMesh, typename NamedParameters>
 class Cut_mesh
 {
