@@ -27,6 +27,7 @@
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
+#include <CGAL/Frame_fields/refine_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -41,11 +42,11 @@ namespace Frame_fields {
 makes a quad mesh of a triangle mesh: its sides follow all feature and border edges, and its irregular vertices are the
 singularities of the frame field that `cad_frame_field()` computes.
 
-The function works on a copy of `tm` that is prepared by `prepare_for_frame_field()`. Each patch, a piece of the
-surface between feature and border edges, gets a field, a certified seamless map (see `seamless_parameterization()`)
-and a T-mesh of rectangular cells. The numbers of quad edges of all cells and all feature curves are one integer
-program, a flow on a bidirected network. The cells become grids of quads, whose vertices then slide on the surface
-until the quads are well shaped.
+The function works on a copy of `tm` that `refine_triangles()` and `prepare_for_frame_field()` prepare. Each patch, a
+piece of the surface between feature and border edges, gets a field, a certified seamless map (see
+`seamless_parameterization()`) and a T-mesh of rectangular cells. The numbers of quad edges of all cells and all
+feature curves are one integer program, a flow on a bidirected network. The cells become grids of quads, whose
+vertices then slide on the surface until the quads are well shaped.
 
 A patch for which there is no certified map, or no such integers, is filled with quads of about the same size instead;
 it then has more irregular vertices. So there is always a quad mesh. `statistics` tells which patches were filled, and
@@ -174,6 +175,10 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   internal::Working_mesh mesh =
     internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
+  const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
+  // Triangles that are much longer than the quads leave the field and the map no room.
+  if(const Result result = refine_triangles(mesh, 2 * edge_length, prepared); !result)
+    return result;
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
@@ -192,8 +197,7 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
 
   Quad_statistics statistics;
   internal::write_statistics(surface, options, field, internal::No_stage_clock(), statistics.field);
-  const double target_edge_length =
-    internal::target_edge_length_of(size, given_mesh.surface()) * (1 / surface.length_unit);
+  const double target_edge_length = edge_length / surface.length_unit;
   const internal::Quad_complex complex =
     internal::make_quads<Concurrency_tag>(surface, embedding, internal::quad_field_of(field), {}, target_edge_length,
                                           solver_traits, clock, statistics);
