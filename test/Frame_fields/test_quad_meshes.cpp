@@ -12,7 +12,10 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -161,5 +164,252 @@ INSTANTIATE_TEST_SUITE_P(cgal, Quad_meshes,
 INSTANTIATE_TEST_SUITE_P(cad, Quad_meshes,
                          testing::ValuesIn(chosen(cad_models(), { "gu_bc_feat", "tm_fandisk_feat",
                                                                   "oc_crankarm_feat" })), Model_name());
+
+// Each test of a few random models has seeds of its own.
+class Quad_meshes_of_random_models : public testing::TestWithParam<Random_models> {};
+
+TEST_P(Quad_meshes_of_random_models, fulfil_the_contract)
+{
+  const int number_of_models = number_from_environment("FRAME_FIELDS_RANDOM_QUAD_MESHES", 6);
+  const int first_seed = number_from_environment("FRAME_FIELDS_SEED", 1);
+  for(int seed = first_seed; seed < first_seed + number_of_models; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_contract(GetParam().draw(static_cast<unsigned int>(seed)), seed % 2 == 0 ? 1. : 3.);
+  }
+}
+
+std::vector<Random_models> random_models()
+{
+  std::vector<Random_models> result = kinds_of_random_models();
+  result.push_back({ "spiked_domains", spiked_domain });
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(, Quad_meshes_of_random_models, testing::ValuesIn(random_models()),
+                         [](const auto& info) { return info.param.name; });
+
+Model tripod()
+{
+  return planar({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } }, 0.5,
+                { { { 1.5, 1.5 }, { 2.2, 1.6 } }, { { 1.5, 1.5 }, { 1.1, 2.1 } }, { { 1.5, 1.5 }, { 1, 1 } } });
+}
+
+// The rim of a disk of three faces is a closed feature with three vertices, none of which is a node by its edges.
+Model loop_of_three_edges()
+{
+  Model model = grid(3, 6, true, false, [](const double u, const double v)
+                     { return Point(std::cos(360 * degree * u), std::sin(360 * degree * u), 3 * v); });
+  for(int k = 0; k < 3; ++k)
+  {
+    const auto at = [&](const int i)
+    { return Point(std::cos(120 * degree * i), std::sin(120 * degree * i), 1.5); };
+    for(const Point& p : model.points)
+      for(const Point& q : model.points)
+        if(CGAL::squared_distance(p, at(k)) < 1e-12 && CGAL::squared_distance(q, at(k + 1)) < 1e-12)
+          model.features.push_back(segment(p, q));
+  }
+  return model;
+}
+
+std::vector<Named_model> special_models()
+{
+  const Polyline frame = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } };
+  const Polyline l_shape = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
+  return {
+    { "L", [=] { return planar(l_shape, 0.3); }, "" },
+    { "slit", [=] { return planar(frame, 0.4, { { { 1, 1.5 }, { 2, 1.5 } } }); }, "" },
+    { "tripod", tripod, "" },
+    { "loop_at_a_node", [=] { return planar(frame, 0.5, { { { 0, 0 }, { 1, 2 }, { 2, 1 }, { 0, 0 } } }); }, "" },
+    { "holes", [=] { return planar(frame, 0.3, {}, { { { 1, 1 }, { 1.4, 1 }, { 1.2, 1.3 } },
+                                                     { { 2, 2 }, { 2.5, 2 }, { 2.5, 2.5 }, { 2, 2.5 } } }); }, "" },
+    { "loop_of_three_edges", loop_of_three_edges, "" },
+    { "components", [=] { return side_by_side(side_by_side(cube(), single_triangle()),
+                                              side_by_side(torus(), annulus(8, 1))); }, "" },
+    { "two_triangles", [] { return Model{ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 } },
+                                          { { { 0, 1, 2 } }, { { 0, 2, 3 } } }, {} }; }, "" },
+    { "two_folded_triangles", [] { return Model{ { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0.3, 1 } },
+                                                 { { { 0, 1, 2 } }, { { 1, 0, 3 } } },
+                                                 { { { 0, 0, 0 }, { 2, 0, 0 } } } }; }, "" },
+    { "pinched_border", [] { return Model{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 } },
+                                           { { { 0, 1, 2 } }, { { 0, 3, 4 } } }, {} }; }, "" },
+    { "tetrahedron_without_features", [] { Model model = tetrahedron(); model.features.clear(); return model; }, "" },
+    { "cube_without_features", [] { Model model = cube(); model.features.clear(); return model; }, "" },
+    { "tetrahedron_with_one_feature", [] { Model model = tetrahedron(); model.features.resize(1); return model; }, "" } };
+}
+
+INSTANTIATE_TEST_SUITE_P(special, Quad_meshes, testing::ValuesIn(special_models()), Model_name());
+
+// Edges far longer than the model, and far shorter than those of its triangles.
+TEST(Quad_meshes_of_any_size, fulfil_the_contract)
+{
+  for(const Model& model : { cube(), quilt(), torus(), single_triangle(), tripod(), annulus(12, 1), spiked_domain(3) })
+    for(const double factor : { 1e-1, 0.3, 50., 1e6 })
+      if(factor > 0.2 || model.triangles.size() < 100)
+        expect_contract(model, factor);
+}
+
+std::vector<Model> few_models()
+{
+  return { cube(), quilt(), torus(), tripod(), random_gear(1), random_star_shaped_polyhedron(2) };
+}
+
+void expect_same(const Marked_surface& quads, const Marked_surface& expected, const double scale = 1)
+{
+  EXPECT_EQ(expected.faces, quads.faces);
+  EXPECT_EQ(expected.marked_edges, quads.marked_edges);
+  EXPECT_EQ(expected.patch, quads.patch);
+  ASSERT_EQ(expected.points.size(), quads.points.size());
+  for(std::size_t v = 0; v < quads.points.size(); ++v)
+    for(int k = 0; k < 3; ++k)
+      ASSERT_EQ(scale * expected.points[v][k], quads.points[v][k]);
+}
+
+TEST(Quad_meshes_of_few_models, are_the_same_bit_for_bit_from_run_to_run_and_in_parallel)
+{
+  for(const Model& model : few_models())
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const Quads quads = quads_of(cad_mesh, cad_mesh.features());
+    expect_same(quads_of(cad_mesh, cad_mesh.features()).surface, quads.surface);
+    expect_same(quads_of(cad_mesh, parameters::concurrency_tag(CGAL::Parallel_if_available_tag())).surface,
+                quads.surface);
+  }
+}
+
+TEST(Quad_meshes_of_few_models, scale_with_the_mesh)
+{
+  for(const Model& model : few_models())
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const Quads quads = quads_of(cad_mesh, parameters::target_edge_length(0.25));
+    for(const int exponent : { -300, -7, 1, 300 })
+    {
+      const double scale = std::ldexp(1., exponent);
+      const Cad_mesh<Surface_mesh> scaled(
+        transformed(model, [&](const Point& p) { return Point(scale * p.x(), scale * p.y(), scale * p.z()); }), false);
+      expect_same(quads_of(scaled, parameters::target_edge_length(0.25 * scale)).surface, quads.surface, scale);
+    }
+  }
+}
+
+// The elements in another order, from another first vertex each.
+Model renumbered(Model model)
+{
+  const std::size_t n = model.points.size();
+  std::reverse(model.points.begin(), model.points.end());
+  std::reverse(model.triangles.begin(), model.triangles.end());
+  for(Triangle& triangle : model.triangles)
+    triangle = { n - 1 - triangle[1], n - 1 - triangle[2], n - 1 - triangle[0] };
+  return model;
+}
+
+TEST(Quad_meshes_of_few_models, hold_for_any_order_of_the_elements)
+{
+  for(const Model& model : few_models())
+  {
+    const Model other_model = renumbered(model);
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false), other_mesh(other_model, false);
+    const Quads quads = quads_of(cad_mesh, cad_mesh.features()), other = quads_of(other_mesh, other_mesh.features());
+    expect_contract(other_model, triangles_of(other_mesh), other);
+    EXPECT_EQ(quads.statistics.number_of_patches, other.statistics.number_of_patches);
+    EXPECT_EQ(quads.statistics.number_of_nodes, other.statistics.number_of_nodes);
+    EXPECT_EQ(quads.statistics.number_of_arcs, other.statistics.number_of_arcs);
+    EXPECT_EQ(quads.statistics.number_of_certified_patches, other.statistics.number_of_certified_patches);
+  }
+}
+
+TEST(Quad_meshes_of_few_models, are_the_same_for_a_polyhedron)
+{
+  for(const Model& model : { cube(), quilt() })
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const Cad_mesh<Polyhedron> polyhedron(model, false);
+    const Quads quads = quads_of(cad_mesh, cad_mesh.features());
+    const Quads from_polyhedron = quads_of<Polyhedron>(polyhedron, polyhedron.features());
+    EXPECT_EQ("", Quad_contract(triangles_of(polyhedron), from_polyhedron.surface).broken_facts());
+    EXPECT_EQ(quads.statistics.number_of_quads, from_polyhedron.statistics.number_of_quads);
+    expect_same(quads_of<Polyhedron>(cad_mesh, cad_mesh.features()).surface, quads.surface);
+  }
+}
+
+// What is in the mesh already stays; vertices of no face do not count.
+TEST(Quad_meshes_of_few_models, are_added_to_a_mesh)
+{
+  Surface_mesh quad_mesh;
+  CGAL::make_quad(Point(9, 0, 0), Point(9, 1, 0), Point(8, 1, 0), Point(8, 0, 0), quad_mesh);
+  Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
+  cad_mesh.mesh.add_vertex(Point(5, 5, 5));
+  const std::size_t number_of_quads = quads_of(cad_mesh, cad_mesh.features()).surface.faces.size();
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, quad_mesh, cad_mesh.features()));
+  EXPECT_EQ(number_of_quads + 1, num_faces(quad_mesh));
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(quad_mesh));
+  EXPECT_EQ(Point(9, 0, 0), quad_mesh.point(*vertices(quad_mesh).begin()));
+}
+
+TEST(Quad_meshes_of_few_quads, have_about_the_number_asked_for)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(torus(), false);
+  for(const double number : { 300., 1000., 4000. })
+    EXPECT_NEAR(number, static_cast<double>(quads_of(cad_mesh, parameters::number_of_quads(number))
+                                              .statistics.number_of_quads), 0.15 * number);
+}
+
+template <typename NamedParameters>
+void expect_failure(const FF::Error_code expected, const Surface_mesh& mesh, const NamedParameters& np)
+{
+  Surface_mesh quad_mesh;
+  CGAL::make_quad(Point(9, 0, 0), Point(9, 1, 0), Point(8, 1, 0), Point(8, 0, 0), quad_mesh);
+  FF::Quad_statistics statistics;
+  statistics.number_of_quads = 77;
+  const FF::Result result =
+    FF::cad_quad_mesh(mesh, quad_mesh, parameters::join(np, parameters::statistics(std::ref(statistics))));
+  EXPECT_EQ(expected, result.error_code) << result.message;
+  EXPECT_EQ(0u, result.message.find(FF::get_error_message(expected))) << result.message;
+  EXPECT_EQ(4u, num_vertices(quad_mesh));
+  EXPECT_EQ(8u, num_halfedges(quad_mesh));
+  EXPECT_EQ(1u, num_faces(quad_mesh));
+  EXPECT_EQ(77u, statistics.number_of_quads);
+}
+
+TEST(Quad_mesh_errors, of_parameters)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Cad_mesh<Surface_mesh> cad_mesh(square(2), false);
+  for(const double wrong : { 0., -1., infinity, nan })
+    expect_failure(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::target_edge_length(wrong));
+  for(const double wrong : { 0., 0.5, -1., infinity, nan })
+    expect_failure(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::number_of_quads(wrong));
+}
+
+TEST(Quad_mesh_errors, of_meshes)
+{
+  const auto np = parameters::relax_orthogonality(true);
+  expect_failure(FF::ERROR_EMPTY_MESH, Surface_mesh(), np);
+  for(const double wrong : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    Model model = square(3);
+    model.points[5] = Point(0, wrong, 0);
+    expect_failure(FF::ERROR_NON_FINITE_COORDINATE, Cad_mesh<Surface_mesh>(model, false).mesh, np);
+  }
+  Surface_mesh quad;
+  CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), quad);
+  expect_failure(FF::ERROR_NON_TRIANGULAR_MESH, quad, np);
+  Cad_mesh<Surface_mesh> collapsed(square(3), false);
+  collapsed.mesh.point(Surface_mesh::Vertex_index(0)) = collapsed.mesh.point(Surface_mesh::Vertex_index(1));
+  if(collapsed.mesh.halfedge(Surface_mesh::Vertex_index(0), Surface_mesh::Vertex_index(1)).is_valid())
+    expect_failure(FF::ERROR_ZERO_LENGTH_EDGE, collapsed.mesh, np);
+  else
+    FAIL() << "no edge between the first two vertices";
+  Surface_mesh mesh;
+  const auto a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
+             c = mesh.add_vertex(Point(0, 1, 0)), d = mesh.add_vertex(Point(1, 1, 0));
+  const auto f = mesh.add_face(a, b, c);
+  mesh.add_face(c, b, d);
+  mesh.set_halfedge(f, mesh.halfedge(b, c));
+  mesh.set_face(mesh.halfedge(c, b), f); // in the cycle of the other face
+  expect_failure(FF::ERROR_INCONSISTENT_HALFEDGES, mesh, np);
+}
 
 } // namespace

@@ -17,6 +17,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -67,12 +68,17 @@ public:
   int reverse(const int halfedge) const { return m_surface.opposite[halfedge]; }
   int source(const int halfedge) const { return node_of(halfedge); }
 
+  // A multiple of a small number, far above the rounding errors of alpha and far below what costs differ by: symmetric
+  // models have paths of equal cost, and one and the same of them is then the first whatever solver found alpha. Sums
+  // of such numbers have no rounding errors, either.
   double cost(const int halfedge) const
   {
+    const double scale = 1 << 30;
     const int e = m_dual_edge_of[local_halfedge(halfedge)];
     const double difference = rotation(m_surface, m_alpha, m_matching, e) - m_omega[e];
     const double signed_difference = is_first(halfedge, e) ? difference : -difference;
-    return m_surface.weight[e] * CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
+    const double change = m_surface.weight[e] * CGAL_PI * (CGAL_PI / 4 - signed_difference); // (x - pi/2)^2 - x^2
+    return std::nearbyint(change * scale) / scale;
   }
 
   void push(const int halfedge)
