@@ -235,7 +235,8 @@ std::vector<Named_model> special_models()
                                            { { { 0, 1, 2 } }, { { 0, 3, 4 } } }, {} }; }, "" },
     { "tetrahedron_without_features", [] { Model model = tetrahedron(); model.features.clear(); return model; }, "" },
     { "cube_without_features", [] { Model model = cube(); model.features.clear(); return model; }, "" },
-    { "tetrahedron_with_one_feature", [] { Model model = tetrahedron(); model.features.resize(1); return model; }, "" } };
+    { "tetrahedron_with_one_feature", [] { Model model = tetrahedron(); model.features.resize(1); return model; },
+      "" } };
 }
 
 INSTANTIATE_TEST_SUITE_P(special, Quad_meshes, testing::ValuesIn(special_models()), Model_name());

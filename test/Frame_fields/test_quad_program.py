@@ -160,6 +160,7 @@ class QuadUsage(QuadProgramTest):
                 ("--edge-length", "cube.off --edge-length nan"), ("--edge-length", "cube.off --edge-length inf"),
                 ("--edge-length", "cube.off --edge-length long"), ("--quads", "cube.off --quads 0"),
                 ("--quads", "cube.off --quads 1.5"), ("exclude", "cube.off --quads 10 --edge-length 1"),
+                ("cad_frame_field alone", "cube.off --curvature-weight 1 -o out.obj"),
                 (".msh", "cube.off -o out.stl"), (".msh", "cube.off -o out"), ("--output", "cube.off -o"),
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),

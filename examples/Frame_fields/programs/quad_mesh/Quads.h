@@ -4,6 +4,7 @@
 #include "Quad_options.h"
 
 #include "../shared/Console.h"
+#include "../shared/Failure.h"
 #include "../shared/Mesh.h"
 #include "../shared/Model.h"
 #include "../shared/field_parameters.h"
@@ -59,26 +60,34 @@ inline double mean_edge_length(const Mesh& mesh)
   return sum / static_cast<double>(mesh.number_of_edges());
 }
 
+// The length that the edges of quadrangles have if they are as many as asked for, or of the triangles.
+inline double edge_length_of(const Mesh& mesh, const Quad_options& options)
+{
+  if(!options.number_of_quads)
+    return options.edge_length.value_or(mean_edge_length(mesh));
+  double area = 0;
+  for(const Face f : mesh.faces())
+  {
+    const Halfedge h = mesh.halfedge(f);
+    area += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                         mesh.point(mesh.target(mesh.next(h)))));
+  }
+  return std::sqrt(area / *options.number_of_quads);
+}
+
 inline void compute_quads(const Model& model, const Feature_map is_feature, const Quad_options& options,
                           Console& console, Quads& quads)
 {
   namespace parameters = CGAL::Frame_fields::parameters;
+  if(options.index_targets || options.curvature_weight > 0)
+    throw Failure(BAD_USAGE, "--index-targets and --curvature-weight are options of cad_frame_field alone");
   const auto np = parameters::output_edge_is_constrained_map(quads.is_feature)
                     .face_to_patch_map(quads.patch)
                     .statistics(std::ref(quads.statistics))
-                    .visitor(Quad_stage_visitor(console));
-  call_with_field_parameters(model, is_feature, options, [&](const auto& field_parameters)
-  {
-    const auto compute = [&](const auto& size)
-    {
-      const auto all_parameters = parameters::join(parameters::join(np, size), field_parameters);
-      check(CGAL::Frame_fields::cad_quad_mesh(model.mesh, quads.mesh, all_parameters), options);
-    };
-    if(options.number_of_quads)
-      compute(parameters::number_of_quads(*options.number_of_quads));
-    else
-      compute(parameters::target_edge_length(options.edge_length.value_or(mean_edge_length(model.mesh))));
-  });
+                    .visitor(Quad_stage_visitor(console))
+                    .target_edge_length(edge_length_of(model.mesh, options));
+  check(CGAL::Frame_fields::cad_quad_mesh(model.mesh, quads.mesh,
+                                          parameters::join(np, field_parameters(is_feature, options))), options);
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_QUADS_H

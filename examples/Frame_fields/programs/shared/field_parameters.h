@@ -51,19 +51,25 @@ inline auto curvature_guide(const Mesh& mesh, const double weight_factor)
   return CGAL::Frame_fields::parameters::guiding_direction_map(direction).guiding_weight_map(weight);
 }
 
+// The named parameters that the options of the field stand for, but for guidance and index targets.
+inline auto field_parameters(const Feature_map is_feature, const Shared_options& options)
+{
+  return CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature)
+           .support_strategy(support_strategy_from(options.support))
+           .sharp_corner_bound(radians(options.sharp_corner_bound))
+           .edge_weighting(options.edge_weighting)
+           .repair_matching(options.repairs_matching)
+           .relax_orthogonality(options.relaxes_orthogonality)
+           .concurrency_tag(CGAL::Parallel_if_available_tag());
+}
+
 // Calls `function(np)` with the named parameters that the options of the field stand for.
 template <typename Function>
 void call_with_field_parameters(const Model& model, const Feature_map is_feature, const Shared_options& options,
                                 const Function& function)
 {
   namespace parameters = CGAL::Frame_fields::parameters;
-  const auto np = parameters::edge_is_constrained_map(is_feature)
-                    .support_strategy(support_strategy_from(options.support))
-                    .sharp_corner_bound(radians(options.sharp_corner_bound))
-                    .edge_weighting(options.edge_weighting)
-                    .repair_matching(options.repairs_matching)
-                    .relax_orthogonality(options.relaxes_orthogonality)
-                    .concurrency_tag(CGAL::Parallel_if_available_tag());
+  const auto np = field_parameters(is_feature, options);
   const auto call_with_targets = [&](const auto& other_parameters)
   {
     if(options.index_targets)

@@ -49,10 +49,12 @@ inline boost::program_options::options_description field_option_descriptions()
     ("edge-weights", po::value<std::string>()->value_name("W")->default_value("uniform"),
      "uniform, or geometric: by the shapes of the triangles, so that the field depends little on the mesh")
     ("curvature-weight", number_value("W", 0, "0"),
-     "how strongly the principal directions of curvature guide the field; 0 for not at all")
+     "how strongly the principal directions of curvature guide the field; 0 for not at all\n"
+     "(cad_frame_field alone)")
     ("index-targets", file_value(),
      "read singularities that the field must have: a vertex index of MODEL that is on no feature edge and 4 times\n"
-     "its index a line; the patches of these vertices then have no other singularities inside")
+     "its index a line; the patches of these vertices then have no other singularities inside\n"
+     "(cad_frame_field alone)")
     ("sharp-corner-bound", number_value("DEG", 135, "135"), "sectors of less than DEG degrees are sharp corners")
     ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
     ("no-relaxation", "keep the crosses orthogonal")
