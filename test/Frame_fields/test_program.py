@@ -931,7 +931,13 @@ class Report(ProgramTest):
         changed = {key(sector): sector["index"] for sector in after["changed_sectors"]}
         self.assertEqual(before["changed_sectors"], [])
         self.assertEqual(len(changed), len(after["changed_sectors"]))
-        self.assertEqual(after["repaired_sectors"], before["unmeshable_after"])
+        vertices_on_features = {vertex for edge in flange_cut().features for vertex in edge}
+        repaired = [sector for sector in after["changed_sectors"] if sector["vertex"] in vertices_on_features]
+        self.assertEqual(after["repaired_sectors"], len(repaired))
+        for sector in repaired:
+            quadrangles = max(1, math.floor(sector["angle"] / 90 + 0.5 + 1e-3))
+            self.assertEqual(sector["index"], 2 - quadrangles)
+        self.assertGreater(len(before["unmeshable_sectors"]), 0)
         for sector in before["unmeshable_sectors"]:
             self.assertEqual(changed[key(sector)], 1)
 
