@@ -1718,7 +1718,7 @@ class CadModels(ProgramTest):
             with self.subTest(model=row["model"], features=row["features"]):
                 model = paths.cad_data / row["model"]
                 arguments = (model, "--features", model.with_suffix("." + row["features"]))
-                # The reference has no tolerance of angles, and no blunt corners: test_every_model compares without them.
+                # The reference has no tolerance, and no blunt corners: test_every_model compares without them.
                 bound = 135 + math.degrees(ANGLE_TOLERANCE)
                 report = self.report(*arguments, "--sharp-corner-bound", repr(bound))
                 for key, column in (("faces", "faces"), ("faces_after_split", "faces_after_split"),
