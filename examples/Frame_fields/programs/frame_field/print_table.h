@@ -76,7 +76,7 @@ inline void print_table(const Summary& summary, const bool is_verbose)
   print_row("repaired corners", statistics.number_of_repaired_sectors);
   print_row("unnatural corners", statistics.number_of_unnatural_corners);
   print_row("unnatural sectors", statistics.number_of_unnatural_sectors);
-  print_row("unmeshable inner sectors", statistics.number_of_unmeshable_inner_sectors);
+  print_row("unmeshable inside", statistics.number_of_unmeshable_inner_sectors);
   print_row("orthogonal energy", statistics.energy_orthogonal);
   print_row("relaxed energy", statistics.energy_relaxed);
   print_row("clamped faces", statistics.number_of_clamped_faces);
