@@ -332,6 +332,49 @@ TEST(Quad_smoothing, result_is_the_same_every_time)
   }
 }
 
+// A ring of quads between the two circles of an annulus, all of whose vertices are kept. If the outer ones are turned
+// so far that the quads are inverted, they slide as far as the sides may leave the circles.
+TEST(Quad_smoothing, kept_vertices_slide_within_the_tolerance_where_quads_are_inverted)
+{
+  const int n = 24, outer = 5 * n;
+  const double wide = 0.5;
+  const Smoothing_case annulus = smoothing_cases().back();
+  const Quad_surface& s = annulus.surface;
+  for(const int turn : { 0, 5 })
+    for(const double tolerance : { 0., wide })
+    {
+      const Quad_complex flat = scattered(s, {}, 1e-9, 1);
+      Quad_complex complex = flat;
+      for(int i = 0; i < n; ++i)
+      {
+        complex.vertices[outer + i] = flat.vertices[outer + (i + turn) % n];
+        complex.vertices[outer + i].vertex = outer + (i + turn) % n;
+        complex.vertices[i].vertex = i;
+        complex.quads.push_back({ i, outer + i, outer + (i + 1) % n, (i + 1) % n });
+        complex.patch.push_back(0);
+      }
+      const std::vector<Coordinates> before = s.points(complex);
+      Smoothing_options options;
+      options.arc_tolerance = tolerance;
+      const Smoothing_report report = smooth(complex, s.surface, s.embedding, s.network, options);
+      const bool may_slide = turn != 0 && tolerance == wide;
+      EXPECT_EQ(report.inverted_before, turn == 0 ? 0 : n);
+      EXPECT_EQ(report.inverted_after, turn == 0 || may_slide ? 0 : n);
+      EXPECT_EQ(worst(s, complex, up) > 0, report.inverted_after == 0);
+      const std::vector<Coordinates> after = s.points(complex);
+      double largest = 0, least_radius = 9;
+      for(int i = 0; i < n; ++i)
+      {
+        largest = (std::max)(largest, distance(before[outer + i], after[outer + i]));
+        const Coordinates& p = after[outer + i];
+        const Coordinates& q = after[outer + (i + 1) % n];
+        least_radius = (std::min)(least_radius, std::hypot(p[0] + q[0], p[1] + q[1]) / 2);
+      }
+      EXPECT_EQ(largest > 1e-3, may_slide);
+      EXPECT_GE(least_radius, 9 - 2 * tolerance - 0.08); // the sagitta of the circle's own edges is 0.077
+    }
+}
+
 // A quad whose four vertices are fixed in the wrong order stays inverted, and is counted.
 TEST(Quad_smoothing, what_cannot_be_untangled_is_counted)
 {

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_ARC_POINTS_H
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/arc_breakpoints.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
@@ -33,7 +34,7 @@ class Arc_points
 {
 public:
   Arc_points(const Surface_embedding& embedding, const Feature_network& network)
-    : m_network(network)
+    : m_embedding(embedding), m_network(network)
   {
     for(const Feature_arc& arc : network.arcs)
     {
@@ -87,7 +88,42 @@ public:
     return result;
   }
 
+  Coordinates point(const int arc, const double position) const
+  {
+    const int p = place(arc, position), h = m_network.arcs[arc].halfedges[p];
+    const Coordinates& a = m_embedding.point[m_embedding.vertex[previous_of(h)]];
+    const Coordinates& b = m_embedding.point[m_embedding.vertex[h]];
+    const double t = position - p;
+    return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+  }
+
+  // How far the arc is, between two lengths, from the segment that joins its points there. The lengths may run beyond
+  // the ends of a loop by less than a turn.
+  double deviation(const int arc, const double begin, const double end, const Coordinates& from,
+                   const Coordinates& to) const
+  {
+    const double whole = length(arc);
+    const int n = number_of_edges(arc);
+    double result = 0;
+    for(const double turn : { -whole, 0., whole })
+    {
+      const auto first = m_length.begin() + static_cast<std::ptrdiff_t>(m_first[arc]);
+      const auto last = first + n + (m_network.arcs[arc].is_loop ? 0 : 1);
+      for(auto l = std::upper_bound(first, last, begin - turn); l != last && *l + turn < end; ++l)
+        result = (std::max)(result, distance_from_segment(vertex_point(arc, static_cast<int>(l - first)), from, to));
+    }
+    return result;
+  }
+
 private:
+  const Coordinates& vertex_point(const int arc, const int place) const
+  {
+    const std::vector<int>& halfedges = m_network.arcs[arc].halfedges;
+    const bool is_end = place == static_cast<int>(halfedges.size());
+    return m_embedding.point[m_embedding.vertex[is_end ? halfedges.back() : previous_of(halfedges[place])]];
+  }
+
+  const Surface_embedding& m_embedding;
   const Feature_network& m_network;
   std::vector<std::size_t> m_first; // per arc: its first entry in
   std::vector<double> m_length;     // per arc and end of a halfedge: the length up to there

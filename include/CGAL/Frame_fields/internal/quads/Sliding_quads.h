@@ -49,9 +49,10 @@ public:
   enum Freedom { FIXED, ON_ARC, IN_PATCH };
 
   Sliding_quads(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
-                const Feature_network& network)
+                const Feature_network& network, const double arc_tolerance = 0)
     : m_complex(complex), m_embedding(embedding), m_network(network), m_walker(surface, embedding)
     , m_arc_points(embedding, network), m_arc_order(complex, network, m_arc_points)
+    , m_arc_tolerance(arc_tolerance), m_is_released(network.arcs.size(), false)
     , m_patch_of_face(surface.number_of_faces()), m_normal(4 * complex.quads.size(), Coordinates{ 0, 0, 0 })
   {
     for(std::size_t patch = 0; patch < surface.patches.size(); ++patch)
@@ -73,6 +74,20 @@ public:
     const Quad_vertex& v = m_complex.vertices[vertex];
     return v.vertex >= 0 ? FIXED : v.arc >= 0 ? ON_ARC : v.patch >= 0 ? IN_PATCH : FIXED;
   }
+
+  // Lets a vertex that is kept at a bend of its arc slide like the others there. From then on the sides of quads on
+  // this arc must not leave it by more than the tolerance, or by more than they do. Returns whether it was kept.
+  bool release(const int vertex)
+  {
+    Quad_vertex& v = m_complex.vertices[vertex];
+    if(v.vertex < 0 || v.arc < 0)
+      return false;
+    v.vertex = -1;
+    m_is_released[v.arc] = true;
+    return true;
+  }
+
+  void set_arc_tolerance(const double tolerance) { m_arc_tolerance = tolerance; }
 
   const Quad_vertex& vertex(const int vertex) const { return m_complex.vertices[vertex]; }
   const std::array<int, 4>& quad(const int quad) const { return m_complex.quads[quad]; }
@@ -134,7 +149,7 @@ public:
     slide.location = m_arc_points.location(arc, position);
     slide.length = m_arc_points.length_at(arc, position);
     slide.point = m_walker.point(slide.location);
-    return true;
+    return !m_is_released[arc] || keeps_arc(vertex, range, length, slide.point);
   }
 
   // The worst scaled Jacobian and the sum of the distortions of the quads at a vertex.
@@ -209,6 +224,27 @@ private:
     return quad_shape(moved, normal);
   }
 
+  // Whether the sides on the arc still follow it if a vertex slides to a length. `range` are those of its neighbors.
+  bool keeps_arc(const int vertex, const std::pair<double, double>& range, const double length,
+                 const Coordinates& point) const
+  {
+    const int arc = m_complex.vertices[vertex].arc;
+    const auto point_of = [&](const int neighbor, const double end)
+    {
+      return neighbor >= 0 ? m_point[neighbor] : m_arc_points.point(arc, m_arc_order.position(arc, end));
+    };
+    const Coordinates before = point_of(m_arc_order.previous(vertex), range.first);
+    const Coordinates behind = point_of(m_arc_order.next(vertex), range.second);
+    const auto deviation = [&](const double middle, const Coordinates& p)
+    {
+      return (std::max)(m_arc_points.deviation(arc, range.first, middle, before, p),
+                        m_arc_points.deviation(arc, middle, range.second, p, behind));
+    };
+    const double new_deviation = deviation(length, point);
+    return new_deviation <= m_arc_tolerance
+        || new_deviation <= deviation(m_arc_order.length(vertex), m_point[vertex]);
+  }
+
   void collect_corners()
   {
     m_first_corner.assign(m_complex.vertices.size() + 1, 0);
@@ -275,6 +311,8 @@ private:
   Surface_walker m_walker;
   Arc_points m_arc_points;
   Arc_order m_arc_order;
+  double m_arc_tolerance;
+  std::vector<char> m_is_released;           // per arc: whether vertices at its bends may slide
   std::vector<int> m_patch_of_face;
   std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in; corners
   std::vector<Coordinates> m_point;          // per vertex

@@ -115,7 +115,9 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     Quad_maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length).make();
 
   clock.start(Quad_stage::SMOOTHING);
-  smooth(complex, surface, embedding, features);
+  Smoothing_options smoothing_options;
+  smoothing_options.arc_tolerance = 0.02 * target_edge_length;
+  smooth(complex, surface, embedding, features, smoothing_options);
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();

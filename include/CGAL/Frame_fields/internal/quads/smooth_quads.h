@@ -37,6 +37,7 @@ struct Smoothing_options
 {
   int number_of_sweeps = 20;                // of all vertices by the distortion
   int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
+  double arc_tolerance = 0;                 // by how much sides may leave arcs where vertices at bends must slide
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
   double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
 };
@@ -158,7 +159,7 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   Smoothing_report report;
   if(complex.quads.empty())
     return report;
-  Sliding_quads quads(complex, surface, embedding, network);
+  Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   report.worst_before = quads.worst();
   report.inverted_before = number_of_inverted_quads(quads);
   Distortion_sweeps sweeps(quads, options.good_enough);
@@ -166,6 +167,13 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
+    may_untangle |= release_tangled_parts(quads);
+    if(round == 1 && number_of_inverted_quads(quads) > 0)
+    {
+      // Valid quads matter more than that arcs are kept as exactly as elsewhere.
+      quads.set_arc_tolerance(2 * options.arc_tolerance);
+      may_untangle = true;
+    }
     may_untangle = may_untangle && untangle_quads(quads);
     improve_worst_quads(quads, options.bad);
     sweeps.run(options.number_of_sweeps / 2);

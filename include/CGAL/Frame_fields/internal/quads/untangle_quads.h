@@ -223,6 +223,22 @@ void for_each_tangled_part(const Sliding_quads& quads, const int number_of_rings
   }
 }
 
+// Lets the vertices at bends of arcs slide where quads are inverted. Returns whether there are any.
+inline bool release_tangled_parts(Sliding_quads& quads)
+{
+  const int number_of_rings = 5;
+  std::vector<int> at_fault;
+  for_each_tangled_part(quads, number_of_rings, [&](const std::vector<int>& part, const std::vector<int>&)
+  {
+    at_fault.insert(at_fault.end(), part.begin(), part.end());
+  });
+  bool is_any_released = false;
+  for(const int q : at_fault)
+    for(const int v : quads.quad(q))
+      is_any_released |= quads.release(v);
+  return is_any_released;
+}
+
 // Returns whether a part has improved.
 inline bool untangle_quads(Sliding_quads& quads)
 {
