@@ -141,7 +141,8 @@ vertices are on them.
 \cgalNamedParamsEnd
 
 \return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
-        its range gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh` then.
+        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh`
+        then.
 
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
@@ -172,10 +173,12 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(const Result result = given_mesh.build(options, accepts_overconstrained_faces); !result)
     return result;
   const double given_unit = given_mesh.surface().length_unit;
+  const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
+  if(const Result result = internal::check_number_of_quads(given_mesh.surface(), edge_length); !result)
+    return result;
   internal::Working_mesh mesh =
     internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
   // Triangles that are much longer than the quads leave the field and the map no room.
   if(const Result result = refine_triangles(mesh, 2 * edge_length, prepared); !result)
     return result;

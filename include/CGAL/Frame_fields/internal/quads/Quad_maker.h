@@ -423,7 +423,7 @@ private:
       const int expected = m_valence.of(complex.vertices[v], m_singular_sector[v], m_features);
       if(valence[v] == 0 || is_filled[v] || valence[v] == expected)
         continue;
-      const std::vector<int> unknowns = m_classes.unknowns_of_class(representative, static_cast<int>(v));
+      const std::vector<int> unknowns = m_classes.unknowns_of_class(representative[v]);
       if(unknowns.empty())
         continue; // a neighbor of a class that is at fault
       raise_longest(unknowns);

@@ -35,8 +35,10 @@ public:
   bool is_empty() const { return m_links.empty(); }
 
   // The class of each vertex, named by the least vertex in it.
-  std::vector<int> representatives(const int number_of_vertices) const
+  std::vector<int> representatives(const int number_of_vertices)
   {
+    m_number_of_vertices = number_of_vertices;
+    m_first_place.clear();
     std::vector<int> parent(number_of_vertices);
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int v)
@@ -56,67 +58,93 @@ public:
   }
 
   // The unknowns on a shortest chain of links between two vertices of a class.
-  std::vector<int> unknowns_between(const int a, const int b) const
+  std::vector<int> unknowns_between(const int a, const int b)
   {
-    std::vector<int> vertices;
-    for(const Link& link : m_links)
-    {
-      vertices.push_back(link.a);
-      vertices.push_back(link.b);
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const auto place = [&](const int v)
-    {
-      return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-    };
-    std::vector<std::vector<int> > links_of(vertices.size());
-    for(std::size_t l = 0; l < m_links.size(); ++l)
-    {
-      links_of[place(m_links[l].a)].push_back(static_cast<int>(l));
-      links_of[place(m_links[l].b)].push_back(static_cast<int>(l));
-    }
-
-    const int unseen = -2;
-    std::vector<int> arrival(vertices.size(), unseen); // the link by which a vertex was reached
-    std::vector<int> queue(1, a);
-    arrival[place(a)] = -1;
-    for(std::size_t i = 0; i < queue.size() && arrival[place(b)] == unseen; ++i)
-      for(const int l : links_of[place(queue[i])])
+    sort_links();
+    m_queue.assign(1, a);
+    m_arrival[a] = START;
+    for(std::size_t i = 0; i < m_queue.size() && m_arrival[b] == UNSEEN; ++i)
+      for(int place = m_first_place[m_queue[i]]; place < m_first_place[m_queue[i] + 1]; ++place)
       {
-        const int other = m_links[l].a == queue[i] ? m_links[l].b : m_links[l].a;
-        if(arrival[place(other)] != unseen)
+        const Link& link = m_links[m_links_of[place]];
+        const int other = link.a == m_queue[i] ? link.b : link.a;
+        if(m_arrival[other] != UNSEEN)
           continue;
-        arrival[place(other)] = l;
-        queue.push_back(other);
+        m_arrival[other] = m_links_of[place];
+        m_queue.push_back(other);
       }
     std::vector<int> unknowns;
-    for(int v = b; arrival[place(v)] >= 0; )
+    for(int v = b; m_arrival[v] >= 0; )
     {
-      const Link& link = m_links[arrival[place(v)]];
+      const Link& link = m_links[m_arrival[v]];
       unknowns.push_back(link.unknown);
       v = link.a == v ? link.b : link.a;
     }
+    for(const int v : m_queue)
+      m_arrival[v] = UNSEEN;
     return unknowns;
   }
 
   // The unknowns of all links of the class of a vertex.
-  std::vector<int> unknowns_of_class(const std::vector<int>& representative, const int vertex) const
+  std::vector<int> unknowns_of_class(const int vertex)
   {
-    std::vector<int> unknowns;
-    for(const Link& link : m_links)
-      if(representative[link.a] == representative[vertex])
-        unknowns.push_back(link.unknown);
-    return unknowns;
+    sort_links();
+    m_queue.assign(1, vertex);
+    m_arrival[vertex] = START;
+    std::vector<int> links;
+    for(std::size_t i = 0; i < m_queue.size(); ++i)
+      for(int place = m_first_place[m_queue[i]]; place < m_first_place[m_queue[i] + 1]; ++place)
+      {
+        const Link& link = m_links[m_links_of[place]];
+        links.push_back(m_links_of[place]);
+        for(const int end : { link.a, link.b })
+          if(m_arrival[end] == UNSEEN)
+          {
+            m_arrival[end] = m_links_of[place];
+            m_queue.push_back(end);
+          }
+      }
+    for(const int v : m_queue)
+      m_arrival[v] = UNSEEN;
+    std::sort(links.begin(), links.end());
+    links.erase(std::unique(links.begin(), links.end()), links.end());
+    for(int& link : links)
+      link = m_links[link].unknown;
+    return links;
   }
 
 private:
+  enum { UNSEEN = -2, START = -1 };
+
   struct Link
   {
     int a, b, unknown;
   };
 
+  // Lists the links of each vertex, once all have been made.
+  void sort_links()
+  {
+    if(!m_first_place.empty())
+      return;
+    m_first_place.assign(static_cast<std::size_t>(m_number_of_vertices) + 1, 0);
+    m_arrival.assign(m_number_of_vertices, UNSEEN);
+    for(const Link& link : m_links)
+    {
+      ++m_first_place[link.a + 1];
+      ++m_first_place[link.b + 1];
+    }
+    std::partial_sum(m_first_place.begin(), m_first_place.end(), m_first_place.begin());
+    m_links_of.resize(2 * m_links.size());
+    std::vector<int> next(m_first_place);
+    for(std::size_t l = 0; l < m_links.size(); ++l)
+      for(const int v : { m_links[l].a, m_links[l].b })
+        m_links_of[next[v]++] = static_cast<int>(l);
+  }
+
   std::vector<Link> m_links;
+  int m_number_of_vertices = 0;
+  std::vector<int> m_first_place, m_links_of; // per vertex: its links; empty until someone asks for them
+  std::vector<int> m_arrival, m_queue;        // of searches: the link by which a vertex was reached
 };
 
 } // namespace internal

@@ -146,8 +146,9 @@ inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& co
     {
       Quad_vertex vertex;
       vertex.arc = static_cast<int>(a);
-      const double rest = std::fmod(length, polyline.length()); // the points of a loop may begin before it
-      vertex.position = polyline.position_at(rest < 0 ? rest + polyline.length() : rest);
+      // The points of a loop may begin before its first place, and end behind its last one.
+      const double whole = polyline.length();
+      vertex.position = polyline.position_at(length - std::floor(length / whole) * whole);
       const int place = (std::min)(static_cast<int>(vertex.position), static_cast<int>(arc.halfedges.size()) - 1);
       vertex.location = location_on_halfedge(arc.halfedges[place], vertex.position - place);
       keep_at_breakpoint(layout, static_cast<int>(a), vertex);

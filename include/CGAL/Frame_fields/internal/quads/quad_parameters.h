@@ -31,6 +31,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,11 +71,24 @@ Result check_quad_size(const NamedParameters& np, const Quad_size& size)
   if(has_length && !(std::isfinite(size.target_edge_length) && size.target_edge_length > 0))
     return failure(ERROR_WRONG_PARAMETER, "target_edge_length is " + std::to_string(size.target_edge_length)
                                           + " and must be a finite positive number");
-  if(has_number && !(size.number_of_quads >= 1))
+  if(has_number && !(std::isfinite(size.number_of_quads) && size.number_of_quads >= 1))
     return failure(ERROR_WRONG_PARAMETER, "number_of_quads is " + std::to_string(size.number_of_quads)
                                           + " and must be at least 1");
   (void)np;
   return {};
+}
+
+// Refuses quads so small that their numbers do not fit into 32-bit indices. Lengths are in the unit of the surface.
+inline Result check_number_of_quads(const Cut_surface& surface, const double target_edge_length)
+{
+  const double largest_number = (std::numeric_limits<int>::max)() / 16;
+  double length = 0;
+  for(const double edge_length : surface.length)
+    length += edge_length;
+  const double number = surface_area(surface) / target_edge_length / target_edge_length;
+  if(number <= largest_number && length / target_edge_length <= largest_number)
+    return {};
+  return failure(ERROR_WRONG_PARAMETER, "the quads asked for are too many for 32-bit indices");
 }
 
 // In the unit of `Cut_surface::length`; by default the mean length of the edges.
