@@ -136,7 +136,7 @@ private:
 
   void lower_energy(const std::size_t place)
   {
-    const int vertex = m_vertices[place], maximum_number_of_trials = 6;
+    const int vertex = m_vertices[place], maximum_number_of_trials = 3;
     double old_energy = energy(vertex, m_quads.point(vertex));
     for(int trial = 0; trial < maximum_number_of_trials; ++trial)
     {
@@ -151,7 +151,7 @@ private:
       });
       m_step[place] *= has_moved ? 1.5 : 0.5;
     }
-    m_step[place] *= 4;
+    m_step[place] *= 2;
   }
 
   Sliding_quads& m_quads;
