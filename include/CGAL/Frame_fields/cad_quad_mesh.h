@@ -140,7 +140,8 @@ vertices are on them.
 \cgalNamedParamsEnd
 
 \return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
-        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh` then.
+        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh`
+        then.
 
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
