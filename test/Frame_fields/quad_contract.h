@@ -374,8 +374,12 @@ private:
     std::vector<int> number_of_fans(m_quads.points.size(), 0);
     for(const std::vector<std::size_t>& fan : m_quad_corners.fans)
       ++number_of_fans[m_quad_corners.vertex[fan.front()]];
+    std::map<Point, int> allowed; // a vertex of a border may have more, if it has them in the triangle mesh
+    for(const std::vector<std::size_t>& fan : m_corners.fans)
+      ++allowed[m_triangles.points[m_corners.vertex[fan.front()]]];
     for(std::size_t v = 0; v < number_of_fans.size(); ++v)
-      if(number_of_fans[v] != 1)
+      if(number_of_fans[v] != 1
+         && (allowed.count(m_quads.points[v]) == 0 || number_of_fans[v] != allowed[m_quads.points[v]]))
         m_faults << "vertex " << v << " has " << number_of_fans[v] << " fans\n";
     if(!m_quad_corners.is_manifold)
       m_faults << "an edge is no edge of a manifold\n";

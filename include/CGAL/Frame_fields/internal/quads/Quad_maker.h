@@ -83,10 +83,14 @@ public:
     for(const T_mesh& t_mesh : t_meshes)
       m_sources.push_back(t_mesh.cells.empty() ? Patch_source::FILLING : Patch_source::T_MESH);
 
-    // Feature edges are kept if the quads do not leave them by more than a small part of their sides.
-    const double tolerance = 0.02 * target_edge_length;
+    // Feature edges are kept if the quads do not leave them by more than a small part of their sides. These are no
+    // longer than the arc, however long they were asked to be.
     for(const Feature_arc& arc : features.arcs)
     {
+      double arc_length = 0;
+      for(const int h : arc.halfedges)
+        arc_length += surface.length[h];
+      const double tolerance = 0.02 * (std::min)(target_edge_length, arc_length);
       std::vector<int> source_vertex;
       for(const int h : arc.halfedges)
         source_vertex.push_back(embedding.vertex[previous_of(h)]);
@@ -186,11 +190,20 @@ private:
     reset_bounds();
   }
 
+  // There are several rounds, and a longer search hardly finds anything better: the usual one takes most of the time
+  // of all stages, on networks where it does not finish.
+  static Quantization_options quantization_options()
+  {
+    Quantization_options options;
+    options.maximum_number_of_steps /= 20;
+    return options;
+  }
+
   void quantize_pieces()
   {
     for(;;)
     {
-      const Quantization quantization = quantize(m_layout.network);
+      const Quantization quantization = quantize(m_layout.network, quantization_options());
       m_value = quantization.value;
       if(quantization.is_feasible)
         return;
