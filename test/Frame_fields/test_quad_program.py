@@ -319,8 +319,7 @@ class QuadContract(QuadProgramTest):
             self.assertEqual(report["quality"][key], 0, key)
 
     def test_flange(self):
-        report = self.check(flange(), read_features(flange_features()), "--features", flange_features(),
-                            "--edge-length", "0.1")
+        report = self.check(flange(), read_features(flange_features()), "--features", flange_features())
         self.assertEqual(report["quality"]["non_positive_quads"], 0)
         self.assertEqual(report["filled_patches"] + report["certified_patches"], report["patches"])
 
@@ -358,7 +357,7 @@ class QuadThreads(QuadProgramTest):
     def test_outputs_do_not_depend_on_their_number(self):
         outputs = []
         for number in ("1", "2", "8"):
-            completed = self.run_program(flange(), "--features", flange_features(), "--edge-length", "0.1", "--quiet",
+            completed = self.run_program(flange(), "--features", flange_features(), "--quads", "3000", "--quiet",
                                          "--threads", number, "-o", "out.msh", "-o", "out.vtp")
             if completed.returncode == BAD_USAGE and number != "1":
                 self.assertIn("without TBB", completed.stderr)

@@ -101,7 +101,7 @@ public:
 
   Quad_complex make()
   {
-    for(int round = 0; ; ++round)
+    for(m_round = 0; ; ++m_round)
     {
       quantize_pieces();
       Quad_complex complex = assemble();
@@ -113,16 +113,17 @@ public:
       for(const int patch : m_patches_to_give_up)
         give_up(patch);
       m_patches_to_give_up.clear();
-      if(round == number_of_rounds_with_empty_pieces)
+      if(m_round == number_of_rounds_with_empty_pieces)
         forbid_empty_pieces();
-      if(round >= maximum_number_of_rounds)
+      if(m_round >= maximum_number_of_rounds)
         split_all_triangles();
     }
   }
 
 private:
-  static constexpr int number_of_rounds_with_empty_pieces = 60;
-  static constexpr int maximum_number_of_rounds = 80;
+  static constexpr int number_of_sparing_rounds = 4;
+  static constexpr int number_of_rounds_with_empty_pieces = 40;
+  static constexpr int maximum_number_of_rounds = 60;
 
   // The cell that each quad of a patch with a T-mesh comes from.
   struct Quad_origin
@@ -369,7 +370,8 @@ private:
     return !pairs.empty();
   }
 
-  // Gives at least one edge to the longest of the pieces that can have one. If none can, fills the patch of the first.
+  // Gives at least one edge to the longest of the pieces that can have one, and after some rounds to all of them, so
+  // that the rounds come to an end. If none can, gives up the patch of the first.
   void raise_longest(const std::vector<int>& unknowns)
   {
     int longest = -1;
@@ -377,9 +379,12 @@ private:
       if(!m_cannot_be_raised[e]
          && (longest < 0 || m_layout.network.edges[e].target > m_layout.network.edges[longest].target))
         longest = e;
+    for(const int e : unknowns)
+      if(e == longest || (m_round >= number_of_sparing_rounds && !m_cannot_be_raised[e]))
+        m_layout.network.edges[e].lower_bound = (std::max)(1, m_layout.network.edges[e].lower_bound);
     if(longest >= 0)
-      m_layout.network.edges[longest].lower_bound = (std::max)(1, m_layout.network.edges[longest].lower_bound);
-    else if(!unknowns.empty() && m_patches_to_give_up.empty())
+      return;
+    if(!unknowns.empty() && m_patches_to_give_up.empty())
       m_patches_to_give_up.push_back(patch_of_piece(unknowns.front()));
   }
 
@@ -456,6 +461,7 @@ private:
   Surface_walker m_walker;
   std::vector<Patch_source> m_sources;          // per patch
   bool m_forbids_empty_pieces = false;
+  int m_round = 0;
   Arc_sides m_sides;
   std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
   T_mesh_network m_layout;
