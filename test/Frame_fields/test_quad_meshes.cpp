@@ -335,8 +335,8 @@ TEST(Quad_meshes_of_few_models, are_the_same_for_a_polyhedron)
   }
 }
 
-// Two faces that share a vertex of the border. Off, since the border halfedges of the result go around one fan only.
-TEST(Quad_meshes_of_few_models, DISABLED_hold_at_a_pinched_border)
+// Two faces that share a vertex of the border.
+TEST(Quad_meshes_of_few_models, hold_at_a_pinched_border)
 {
   Cad_mesh<Surface_mesh> cad_mesh(single_triangle(), false);
   const auto v = *vertices(cad_mesh.mesh).begin();

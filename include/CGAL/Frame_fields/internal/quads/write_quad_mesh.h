@@ -19,6 +19,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -45,6 +46,45 @@ auto reserve_elements(Mesh& mesh, const std::size_t vertices, const std::size_t 
 }
 template <typename Mesh>
 void reserve_elements(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
+
+// Links the halfedges outside. At a vertex where several fans of quads meet, the border goes on from each fan to the
+// next one, so that the halfedges around the vertex are one cycle. The vertex has a border halfedge, as some meshes
+// expect.
+template <typename QuadMesh>
+void link_borders(const Quad_complex& complex, const Quad_connectivity& connectivity,
+                  const Written_quads<QuadMesh>& written, QuadMesh& quad_mesh)
+{
+  struct Passage
+  {
+    int vertex, side, side_before; // the border sides of one fan that begin and end at the vertex
+    bool operator<(const Passage& other) const
+    {
+      return vertex != other.vertex ? vertex < other.vertex : side < other.side;
+    }
+  };
+  std::vector<Passage> passages;
+  for(int side = 0; side < static_cast<int>(connectivity.opposite.size()); ++side)
+  {
+    if(connectivity.opposite[side] >= 0)
+      continue;
+    int before = previous_side(side);
+    while(connectivity.opposite[before] >= 0)
+      before = previous_side(connectivity.opposite[before]);
+    passages.push_back({ side_source(complex, side), side, before });
+  }
+  std::sort(passages.begin(), passages.end());
+  for(std::size_t begin = 0, end; begin < passages.size(); begin = end)
+  {
+    for(end = begin + 1; end < passages.size() && passages[end].vertex == passages[begin].vertex; ++end) {}
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      const auto outside = opposite(written.sides[passages[i].side], quad_mesh);
+      const std::size_t next_fan = i + 1 < end ? i + 1 : begin;
+      set_next(outside, opposite(written.sides[passages[next_fan].side_before], quad_mesh), quad_mesh);
+      set_halfedge(written.vertices[passages[i].vertex], outside, quad_mesh);
+    }
+  }
+}
 
 // Adds the quads to a mesh; `connectivity` must be without conflicts. Points are not set.
 template <typename QuadMesh>
@@ -91,19 +131,7 @@ Written_quads<QuadMesh> write_quads(const Quad_complex& complex, const Quad_conn
     if(side % 4 == 0)
       set_halfedge(written.faces[side / 4], h, quad_mesh);
   }
-  // A border goes on with the border edge that ends where its halfedge outside begins to turn; the vertex then has a
-  // border halfedge, as some meshes expect.
-  for(int side = 0; side < number_of_sides; ++side)
-  {
-    if(connectivity.opposite[side] >= 0)
-      continue;
-    int before = previous_side(side);
-    while(connectivity.opposite[before] >= 0)
-      before = previous_side(connectivity.opposite[before]);
-    const Halfedge outside = opposite(written.sides[side], quad_mesh);
-    set_next(outside, opposite(written.sides[before], quad_mesh), quad_mesh);
-    set_halfedge(written.vertices[side_source(complex, side)], outside, quad_mesh);
-  }
+  link_borders(complex, connectivity, written, quad_mesh);
   return written;
 }
 
