@@ -2,7 +2,7 @@
 #include "quad_grid.h"
 
 #include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
-#include <CGAL/Frame_fields/internal/layout/sign_of_determinant.h>
+#include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 
 #include <gtest/gtest.h>
 

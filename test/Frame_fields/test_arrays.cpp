@@ -32,6 +32,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <random>
 #include <utility>
@@ -223,8 +224,10 @@ TEST(Repair, moves_indices_at_least_cost_and_makes_sharp_corners_natural)
     std::vector<int> index;
     number_of_changes += expect_cheapest_matching(surface, weighting, generator, index);
     for(int s = 0; s < surface.number_of_sectors(); ++s)
+    {
       if(surface.is_constrained_sector(s) && surface.total_angle[s] < 0.749 * CGAL_PI)
         EXPECT_EQ(1, index[s]) << i;
+    }
   }
   EXPECT_LT(200u, number_of_changes);
 }
@@ -551,19 +554,19 @@ TEST(Rings_with_hubs, give_the_same_rotation_as_a_walk_around_each_corner)
   triangles.push_back({ { rim(0, 0), rim(1, 1), rim(1, 0) } });
   const Test_surface surface(points, triangles);
   const Patch& patch = surface.patches[0];
-  const double bound = 0.75 * CGAL_PI;
-  const std::vector<int> corners = sharp_corners_of_patch(surface, patch, bound);
+  const Corner_bounds bounds{ 0.75 * CGAL_PI, std::numeric_limits<double>::infinity() };
+  const std::vector<int> corners = sharp_corners_of_patch(surface, patch, bounds.sharp);
   ASSERT_LT(40u, corners.size());
   for(const int number_of_rings : { 1, 2, 3, 4, 5, 9 })
   {
     std::vector<double> expected(surface.number_of_sectors(), 0), demand = expected;
     Sector_rings rings(surface, patch);
-    Hub_rings hub_rings(surface, patch, number_of_rings, bound);
+    Hub_rings hub_rings(surface, patch, number_of_rings, bounds);
     double rotation = 0.5;
     for(const int corner : corners)
     {
       rotation = rotation * 1.01 + 0.001;
-      const std::vector<int> receivers = receivers_in_rings(surface, corner, number_of_rings, bound, rings);
+      const std::vector<int> receivers = receivers_in_rings(surface, corner, number_of_rings, bounds, rings);
       for(const int s : receivers)
         expected[s] -= rotation / static_cast<double>(receivers.size());
       ASSERT_TRUE(hub_rings.take(corner, rotation, demand));

@@ -51,7 +51,9 @@ public:
   // Returns whether it has improved.
   bool run()
   {
-    const int number_of_rounds = 40;
+    // Small parts get many rounds; large ones are hopeless if a few do not mend them.
+    const int number_of_vertices = static_cast<int>(m_vertices.size());
+    const int number_of_rounds = (std::min)(40, (std::max)(4, 40000 / (std::max)(1, number_of_vertices)));
     const std::pair<int, double> old_score = score();
     double mean_area = 0;
     for(const int q : m_part)
