@@ -151,8 +151,10 @@ TEST_P(Combing, has_quarter_turns_that_sum_to_the_index_around_each_closed_secto
   const std::vector<double> sums = combed.cut.sums_around_sectors(turns);
   const std::vector<int> index = index_of_sectors(combed.cut, combed.field.index);
   for(int s = 0; s < combed.cut.number_of_sectors(); ++s)
+  {
     if(!combed.cut.is_constrained_sector[s])
       EXPECT_EQ(0, std::remainder(sums[s] - index[s], 4)) << s;
+  }
 }
 
 TEST_P(Combing, leaves_each_patch_connected_off_the_seams)
