@@ -148,7 +148,7 @@ public:
   {
     return elimination_order(m_basis.size(), [this](const auto& add)
     {
-      for_each_entry([&](const int i, const int j, double)
+      this->for_each_entry([&](const int i, const int j, double)
       {
         if(i != j)
           add(i, j, 1.f);
