@@ -27,7 +27,6 @@
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
-#include <CGAL/Frame_fields/refine_triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -42,7 +41,7 @@ namespace Frame_fields {
 makes a quad mesh of a triangle mesh: its sides follow all feature and border edges, and its irregular vertices are the
 singularities of the frame field that `cad_frame_field()` computes.
 
-The function works on a copy of `tm` that `refine_triangles()` and `prepare_for_frame_field()` prepare. Each patch, a
+The function works on a copy of `tm` that `prepare_for_frame_field()` prepares. Each patch, a
 piece of the surface between feature and border edges, gets a field, a certified seamless map (see
 `seamless_parameterization()`) and a T-mesh of rectangular cells. The numbers of quad edges of all cells and all
 feature curves are one integer program, a flow on a bidirected network. The cells become grids of quads, whose
@@ -147,6 +146,7 @@ vertices are on them.
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
 
+\sa `refine_triangles()`, for raw tessellations with triangles that are much longer than the quads
 \sa `quad_mesh_quality()`
 \sa `seamless_parameterization()`
 \sa `cad_frame_field()`
@@ -179,9 +179,6 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   internal::Working_mesh mesh =
     internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  // Triangles that are much longer than the quads leave the field and the map no room.
-  if(const Result result = refine_triangles(mesh, 2 * edge_length, prepared); !result)
-    return result;
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
