@@ -1843,13 +1843,14 @@ class Examples(ProgramTest):
             self.assertEqual(completed.returncode, 1)
             self.assertIn("missing.off", completed.stderr)
 
-    def test_listing_of_the_readme_stands_in_the_example(self):
+    def test_listings_of_the_readme_stand_in_the_examples(self):
         readme = (paths.sources / "README.md").read_text()
-        example = (paths.sources / "examples/Frame_fields/frame_field_surface_mesh.cpp").read_text()
+        examples = "".join((paths.sources / f"examples/Frame_fields/{name}_surface_mesh.cpp").read_text()
+                           for name in ("quad_mesh", "frame_field"))
         listings = re.findall(r"^```cpp\n(.*?)^```$", readme, re.DOTALL | re.MULTILINE)
         self.assertGreater(len(listings), 0)
         for listing in listings:
-            self.assertIn("\n" + listing, example)
+            self.assertIn("\n" + listing, examples)
 
 
 class OpenmeshExample(ProgramTest):
