@@ -226,7 +226,9 @@ TEST(Repair, moves_indices_at_least_cost_and_makes_sharp_corners_natural)
     for(int s = 0; s < surface.number_of_sectors(); ++s)
     {
       if(surface.is_constrained_sector(s) && surface.total_angle[s] < 0.749 * CGAL_PI)
+      {
         EXPECT_EQ(1, index[s]) << i;
+      }
     }
   }
   EXPECT_LT(200u, number_of_changes);

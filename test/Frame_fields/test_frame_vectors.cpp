@@ -153,7 +153,9 @@ TEST_P(Combing, has_quarter_turns_that_sum_to_the_index_around_each_closed_secto
   for(int s = 0; s < combed.cut.number_of_sectors(); ++s)
   {
     if(!combed.cut.is_constrained_sector[s])
+    {
       EXPECT_EQ(0, std::remainder(sums[s] - index[s], 4)) << s;
+    }
   }
 }
 

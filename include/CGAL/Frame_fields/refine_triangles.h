@@ -217,7 +217,7 @@ Result refine_triangles(TriangleMesh& tm, const double maximum_edge_length,
                                                roundings * internal::coordinate_rounding(points));
   if(!(statistics.flip_tolerance >= 0))
     return internal::failure(ERROR_WRONG_PARAMETER, "flip_tolerance must not be negative");
-  const double maximum_number_of_faces = (std::numeric_limits<int>::max)() / 6;
+  const double maximum_number_of_faces = (std::numeric_limits<int>::max)() / 6.;
   if(!(internal::least_number_of_faces(tm, mesh, maximum_edge_length) <= maximum_number_of_faces))
     return internal::failure(ERROR_MESH_TOO_LARGE, "for a maximum_edge_length of "
                                                    + std::to_string(maximum_edge_length));

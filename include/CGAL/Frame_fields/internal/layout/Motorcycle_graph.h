@@ -258,8 +258,8 @@ private:
     Trace& later = m_traces[event.later.trace];
     if(!later.reaches(2 * event.later.time) || !m_traces[event.earlier.trace].reaches(2 * event.earlier.time))
       return;
-    m_crossings.push_back({ event.later, event.location });
-    m_crossings.push_back({ event.earlier, event.location });
+    m_crossings.emplace_back( event.later, event.location );
+    m_crossings.emplace_back( event.earlier, event.location );
     if(later.double_time_of_end > 2 * event.later.time)
     {
       later.double_time_of_end = 2 * event.later.time;

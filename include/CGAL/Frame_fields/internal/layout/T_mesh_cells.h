@@ -54,7 +54,7 @@ public:
         const int next_piece = next(piece, quarter_turns);
         if(next_piece < 0 || (is_visited[next_piece] && next_piece != first))
           return false;
-        m_loop.push_back({ piece, quarter_turns == 1 });
+        m_loop.emplace_back( piece, quarter_turns == 1 );
         piece = next_piece;
       } while(piece != first);
       if(!add_cell())

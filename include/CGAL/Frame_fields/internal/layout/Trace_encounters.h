@@ -69,7 +69,7 @@ public:
       if((passing.slot - arrival.slot) % 2 != 0) // traces on one line have segments in the same faces
         push_crossing(passing, arrival, vertex);
     }
-    m_arrivals.push_back({ passing, first });
+    m_arrivals.emplace_back( passing, first );
     first = static_cast<int>(m_arrivals.size()) - 1;
   }
 

@@ -65,8 +65,8 @@ inline std::vector<int> arc_breakpoints(const Surface_embedding& embedding, cons
     if(farthest < 0)
       continue;
     result.push_back(farthest);
-    ranges.push_back({ begin, farthest });
-    ranges.push_back({ farthest, end });
+    ranges.emplace_back( begin, farthest );
+    ranges.emplace_back( farthest, end );
   }
   std::sort(result.begin(), result.end());
   return result;

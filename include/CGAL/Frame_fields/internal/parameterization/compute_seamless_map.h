@@ -74,7 +74,7 @@ inline bool write_map(const Patch& patch, const Cut_graph& graph, const Map_basi
   const int first = 3 * patch.faces.begin_index;
   for(int h = first; h < 3 * patch.faces.end_index; ++h)
   {
-    map.u[h] = integer_x[2 * graph.vertex[h - first]];
+    map.u[h] = integer_x[2 * static_cast<std::size_t>(graph.vertex[h - first])];
     map.v[h] = integer_x[2 * graph.vertex[h - first] + 1];
   }
   return true;
@@ -106,7 +106,7 @@ public:
     if(m_basis.has_forced_zero_side())
       return Map_status::FORCED_ZERO_SIDE;
     std::copy(m_combing.quarter_turns.begin(), m_combing.quarter_turns.end(),
-              map.quarter_turns.begin() + 3 * m_patch.faces.begin_index);
+              map.quarter_turns.begin() + 3 * static_cast<std::ptrdiff_t>(m_patch.faces.begin_index));
     m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
     Map_status status = Map_status::SOLVER_FAILED;
     int steps_left = maximum_number_of_steps;

@@ -363,7 +363,7 @@ private:
       if(first < 0)
         first = static_cast<int>(v);
       else
-        pairs.push_back({ first, static_cast<int>(v) });
+        pairs.emplace_back( first, static_cast<int>(v) );
     }
     for(const std::pair<int, int>& pair : pairs)
       raise_longest(m_classes.unknowns_between(pair.first, pair.second));

@@ -60,9 +60,9 @@ inline std::vector<char> sides_on_arcs(const Quad_complex& complex)
   {
     const std::vector<int>& vertices = complex.arcs[a];
     for(std::size_t i = 0; i + 1 < vertices.size(); ++i)
-      pairs.push_back(std::minmax(vertices[i], vertices[i + 1]));
+      pairs.emplace_back(std::minmax(vertices[i], vertices[i + 1]));
     if(complex.is_loop[a])
-      pairs.push_back(std::minmax(vertices.back(), vertices.front()));
+      pairs.emplace_back(std::minmax(vertices.back(), vertices.front()));
   }
   std::sort(pairs.begin(), pairs.end());
   std::vector<char> result(4 * complex.quads.size());

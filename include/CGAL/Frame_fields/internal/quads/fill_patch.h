@@ -78,7 +78,7 @@ inline std::vector<char> joined_sides(const Patch_triangulation& t)
       const double jacobian = quad_shape({ t.point(t.source(h)), t.point(t.apex(t.opposite[h])), t.point(t.target[h]),
                                            t.point(t.apex(h)) }).scaled_jacobian;
       if(jacobian > least_jacobian)
-        candidates.push_back({ -jacobian, h });
+        candidates.emplace_back( -jacobian, h );
     }
   std::sort(candidates.begin(), candidates.end());
   std::vector<char> is_joined(t.target.size(), false), is_taken(t.is_alive.size(), false);

@@ -81,7 +81,7 @@ Result check_quad_size(const NamedParameters& np, const Quad_size& size)
 // Refuses quads so small that their numbers do not fit into 32-bit indices. Lengths are in the unit of the surface.
 inline Result check_number_of_quads(const Cut_surface& surface, const double target_edge_length)
 {
-  const double largest_number = (std::numeric_limits<int>::max)() / 16;
+  const double largest_number = (std::numeric_limits<int>::max)() / 16.;
   double length = 0;
   for(const double edge_length : surface.length)
     length += edge_length;

@@ -132,7 +132,7 @@ private:
     const int first_cut = is_loop ? first_of_loop(ids) : 1;
     for(int i = 0; i < number_of_segments - (is_loop ? 0 : 1); ++i)
     {
-      const int id = ids[2 * ((first_cut + i) % number_of_segments)];
+      const int id = ids[2 * static_cast<std::size_t>((first_cut + i) % number_of_segments)];
       last = (std::max)(last, (std::min)(m_complex.vertices[id].position, double(number_of_places)));
       const int place = (std::min)(static_cast<int>(last), number_of_places - 1);
       const bool is_at_start = last == place && place > last_start && (cuts.empty() || cuts.back().place < place);
@@ -147,7 +147,8 @@ private:
   {
     int first = 0;
     for(int i = 0; i < static_cast<int>(ids.size()) / 2; ++i)
-      if(m_complex.vertices[ids[2 * i]].position < m_complex.vertices[ids[2 * first]].position)
+      if(m_complex.vertices[ids[2 * static_cast<std::size_t>(i)]].position
+         < m_complex.vertices[ids[2 * static_cast<std::size_t>(first)]].position)
         first = i;
     return first;
   }

@@ -46,7 +46,7 @@ public:
     const std::vector<double> multiplier = Node_multipliers(network).run(number_of_sweeps);
     for(int node = 0; node < network.number_of_nodes; ++node)
     {
-      m_potential[2 * node] = multiplier[node];
+      m_potential[2 * static_cast<std::size_t>(node)] = multiplier[node];
       m_potential[2 * node + 1] = -multiplier[node];
     }
     for(std::size_t e = 0; e < network.edges.size(); ++e)
@@ -101,12 +101,14 @@ public:
   int lower_bound(const int edge) const { return m_lower[edge]; }
   int upper_bound(const int edge) const { return m_upper[edge]; }
 
-  int doubled_value(const int edge) const { return m_flow[2 * edge] + m_flow[2 * edge + 1]; }
+  static std::size_t first_arc(const int edge) { return 2 * static_cast<std::size_t>(edge); }
+
+  int doubled_value(const int edge) const { return m_flow[first_arc(edge)] + m_flow[first_arc(edge) + 1]; }
 
   bool is_half(const int edge) const { return doubled_value(edge) % 2 != 0; }
 
   // Gives an edge an integer at a distance of at most 1/2. The caller does so with edges that balance one another.
-  void set_value(const int edge, const int value) { m_flow[2 * edge] = m_flow[2 * edge + 1] = value; }
+  void set_value(const int edge, const int value) { m_flow[first_arc(edge)] = m_flow[first_arc(edge) + 1] = value; }
 
   double cost() const
   {
@@ -275,7 +277,7 @@ private:
       return;
     m_arrival[node] = arrival;
     m_distance[node] = distance;
-    m_queue.push_back({ distance, node });
+    m_queue.emplace_back( distance, node );
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 

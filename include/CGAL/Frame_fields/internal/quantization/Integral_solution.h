@@ -105,7 +105,7 @@ private:
       for(int i = 1; i <= 2; ++i)
         for(const int direction : { 1, -1 })
         {
-          const std::int64_t new_value = value + i * direction;
+          const std::int64_t new_value = value + static_cast<std::int64_t>(i) * direction;
           if(new_value < edge.lower_bound || new_value > edge.upper_bound || std::abs(new_value) > largest_value)
             continue;
           const int size = edge.sign[0] == edge.sign[1] ? 2 : 1;
@@ -222,12 +222,12 @@ private:
     const int first = step.first_vertex + offset;
     if(step.number_of_vertices == 2)
     {
-      const bool touches_nodes = mate[first] != static_cast<Vertex>(first + 1);
+      const bool touches_nodes = mate[first] != static_cast<Vertex>(first) + 1;
       return touches_nodes == is_positive(step, 0);
     }
     const std::pair<int, int> range = partners(i, is_positive(step, 0) ? 0 : 1);
-    return mate[first] >= static_cast<Vertex>(range.first + offset)
-           && mate[first] < static_cast<Vertex>(range.second + offset);
+    return mate[first] >= static_cast<Vertex>(range.first) + static_cast<Vertex>(offset)
+           && mate[first] < static_cast<Vertex>(range.second) + static_cast<Vertex>(offset);
   }
 
   void store_better_copy(const std::vector<Vertex>& mate)

@@ -94,7 +94,7 @@ private:
         const double step_gain = gain({ arc, direction });
         if(step_gain > smallest_gain)
         {
-          keys.push_back({ -step_gain, 2 * arc + (direction > 0 ? 0 : 1) });
+          keys.emplace_back( -step_gain, 2 * arc + (direction > 0 ? 0 : 1) );
           m_total_gain += step_gain;
         }
       }
@@ -182,7 +182,7 @@ private:
       return;
     m_arrival[node] = arrival;
     m_distance[node] = distance;
-    m_queue.push_back({ distance, node });
+    m_queue.emplace_back( distance, node );
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
