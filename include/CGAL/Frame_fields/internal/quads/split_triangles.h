@@ -32,7 +32,8 @@ inline void split_triangles_of_patch(const Quad_layout& layout, const int patch,
   const Cut_surface& surface = layout.surface;
   const Patch& range = surface.patches[patch];
   const int first_halfedge = 3 * range.faces.begin_index;
-  std::vector<int> vertex_of_sector(range.sectors.size(), -1), middle(3 * static_cast<std::size_t>(range.faces.size()), -1);
+  std::vector<int> vertex_of_sector(range.sectors.size(), -1);
+  std::vector<int> middle(3 * static_cast<std::size_t>(range.faces.size()), -1);
   const auto sector_vertex = [&](const int h) -> int&
   {
     return vertex_of_sector[surface.sector[h] - range.sectors.begin_index];
