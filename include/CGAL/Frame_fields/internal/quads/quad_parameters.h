@@ -62,7 +62,7 @@ Quad_size quad_size_from(const NamedParameters& np)
 }
 
 template <typename NamedParameters>
-Result check_quad_size(const NamedParameters& np, const Quad_size& size)
+Result check_quad_size(const NamedParameters&, const Quad_size& size)
 {
   constexpr bool has_length =
     !CGAL::parameters::is_default_parameter<NamedParameters, internal::target_edge_length_t>::value;
@@ -74,7 +74,6 @@ Result check_quad_size(const NamedParameters& np, const Quad_size& size)
   if(has_number && !(std::isfinite(size.number_of_quads) && size.number_of_quads >= 1))
     return failure(ERROR_WRONG_PARAMETER, "number_of_quads is " + std::to_string(size.number_of_quads)
                                           + " and must be at least 1");
-  (void)np;
   return {};
 }
 
