@@ -293,7 +293,7 @@ TEST(Quad_filling, quads_of_the_wanted_size_are_good_after_smoothing)
       expect_valid(c.surface, arc_vertices, complex);
       const Smoothing_report report = smooth(complex, c.surface.surface, c.surface.embedding, c.surface.network);
       const auto quality = measure_quads(polygon_mesh(complex, c.surface.points(complex)));
-      EXPECT_EQ(report.inverted_after, 0);
+      EXPECT_EQ(report.inverted_quads.size(), 0u);
       EXPECT_GT(quality.minimum_scaled_jacobian, 0.2);
       EXPECT_GT(quality.mean_edge_length, 0.5 * h);
       EXPECT_LT(quality.mean_edge_length, 1.5 * h);

@@ -267,7 +267,7 @@ TEST(Quad_smoothing, worst_quad_never_gets_worse_and_vertices_stay_where_they_ma
       expect_same_but_for_slides(c.surface, before, after);
       EXPECT_GE(new_worst, old_worst);
       EXPECT_NEAR(report.worst_after, new_worst, 1e-9);
-      EXPECT_EQ(report.inverted_after, 0);
+      EXPECT_EQ(report.inverted_quads.size(), 0u);
       EXPECT_GT(new_worst, 0.5);
     }
 }
@@ -359,8 +359,8 @@ TEST(Quad_smoothing, kept_vertices_slide_within_the_tolerance_where_quads_are_in
       const Smoothing_report report = smooth(complex, s.surface, s.embedding, s.network, options);
       const bool may_slide = turn != 0 && tolerance == wide;
       EXPECT_EQ(report.inverted_before, turn == 0 ? 0 : n);
-      EXPECT_EQ(report.inverted_after, turn == 0 || may_slide ? 0 : n);
-      EXPECT_EQ(worst(s, complex, up) > 0, report.inverted_after == 0);
+      EXPECT_EQ(static_cast<int>(report.inverted_quads.size()), turn == 0 || may_slide ? 0 : n);
+      EXPECT_EQ(worst(s, complex, up) > 0, report.inverted_quads.empty());
       const std::vector<Coordinates> after = s.points(complex);
       double largest = 0, least_radius = 9;
       for(int i = 0; i < n; ++i)
@@ -384,12 +384,12 @@ TEST(Quad_smoothing, what_cannot_be_untangled_is_counted)
   complex.quads[0] = { 0, 3, 4, 1 }; // clockwise
   Smoothing_report report = smooth(complex, s.surface, s.embedding, s.network);
   EXPECT_EQ(report.inverted_before, 1);
-  EXPECT_EQ(report.inverted_after, 1);
+  EXPECT_EQ(report.inverted_quads.size(), 1u);
   EXPECT_LT(report.worst_after, 0);
   complex.quads.clear();
   complex.patch.clear();
   report = smooth(complex, s.surface, s.embedding, s.network);
-  EXPECT_EQ(report.inverted_after, 0);
+  EXPECT_EQ(report.inverted_quads.size(), 0u);
 }
 
 TEST(Surface_walker, walks_straight_in_a_plane)

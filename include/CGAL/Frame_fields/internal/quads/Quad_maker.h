@@ -40,10 +40,10 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Removes the vertices of no quad; the order of the others stays.
-inline void remove_unused_vertices(Quad_complex& complex)
+// Removes the vertices of no quad; the order of the others stays. Returns their old numbers.
+inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
 {
-  std::vector<int> number(complex.vertices.size(), 0);
+  std::vector<int> number(complex.vertices.size(), 0), old_number;
   for(const std::array<int, 4>& quad : complex.quads)
     for(const int v : quad)
       number[v] = 1;
@@ -53,6 +53,7 @@ inline void remove_unused_vertices(Quad_complex& complex)
     {
       complex.vertices[number_of_vertices] = complex.vertices[v];
       number[v] = number_of_vertices++;
+      old_number.push_back(static_cast<int>(v));
     }
   complex.vertices.resize(number_of_vertices);
   for(std::array<int, 4>& quad : complex.quads)
@@ -61,6 +62,7 @@ inline void remove_unused_vertices(Quad_complex& complex)
   for(std::vector<int>& arc : complex.arcs)
     for(int& v : arc)
       v = number[v];
+  return old_number;
 }
 
 // From the T-meshes of the patches to quads.
@@ -107,7 +109,7 @@ public:
       Quad_complex complex = assemble();
       if(!find_faults(complex))
       {
-        remove_unused_vertices(complex);
+        m_number_in_classes = remove_unused_vertices(complex);
         return complex;
       }
       for(const int patch : m_patches_to_give_up)
@@ -118,6 +120,30 @@ public:
       if(m_round >= maximum_number_of_rounds)
         split_all_triangles();
     }
+  }
+
+  // Raises bounds so that there is more room around some quads of the complex made last: the empty pieces at their
+  // vertices get edges, and if there are none, the quads are divided. Returns whether any bound was raised.
+  bool refine(const Quad_complex& complex, const std::vector<int>& quads)
+  {
+    bool is_any_raised = false;
+    for(const int q : quads)
+    {
+      if(m_origin[q].cell < 0)
+        continue;
+      bool is_raised = false;
+      for(const int v : complex.quads[q])
+        for(const int e : m_classes.unknowns_of_class(m_number_in_classes[v]))
+          is_raised |= raise(e, 1);
+      for(int side = 0; side < 2 && !is_raised; ++side)
+        for(const Directed_piece& piece : m_t_meshes[m_origin[q].patch].cells[m_origin[q].cell].sides[side])
+        {
+          const int e = m_layout.first_piece[m_origin[q].patch] + piece.piece;
+          is_any_raised |= raise(e, m_value[e] + 1);
+        }
+      is_any_raised |= is_raised;
+    }
+    return is_any_raised;
   }
 
 private:
@@ -227,6 +253,15 @@ private:
         is_any_lowered = true;
       }
     return is_any_lowered;
+  }
+
+  bool raise(const int unknown, const int bound)
+  {
+    int& lower_bound = m_layout.network.edges[unknown].lower_bound;
+    if(m_cannot_be_raised[unknown] || lower_bound >= bound)
+      return false;
+    lower_bound = bound;
+    return true;
   }
 
   // Of the patches that have, or whose arcs have, unknowns without a solution, gives up the smallest with a T-mesh, or
@@ -468,6 +503,7 @@ private:
   std::vector<char> m_cannot_be_raised; // per unknown: with its bound at 1 there is no solution
   std::vector<int> m_value;             // per unknown
   Vertex_classes m_classes;
+  std::vector<int> m_number_in_classes; // per vertex of the complex made last
   std::vector<Quad_origin> m_origin;    // per quad
   std::vector<int> m_singular_sector;   // per vertex: the closed singular sector it is at, -1 if there is none
   std::vector<int> m_patches_to_give_up;

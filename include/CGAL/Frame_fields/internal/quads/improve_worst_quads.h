@@ -107,10 +107,11 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
   return number_of_slides > 0;
 }
 
-// Raises what is below `bound` where single vertices can.
-inline void improve_worst_quads(Sliding_quads& quads, const double bound)
+// Raises what is below `bound` where single vertices can. Returns whether any could.
+inline bool improve_worst_quads(Sliding_quads& quads, const double bound)
 {
   const int number_of_sweeps = 5;
+  bool has_any_improved = false;
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
   {
     bool has_improved = false;
@@ -119,8 +120,10 @@ inline void improve_worst_quads(Sliding_quads& quads, const double bound)
          && raise_worst_quad_of_vertex(quads, v))
         has_improved = true;
     if(!has_improved)
-      return;
+      break;
+    has_any_improved = true;
   }
+  return has_any_improved;
 }
 
 } // namespace internal

@@ -82,6 +82,9 @@ inline double surface_area(const Cut_surface& surface)
   return sum;
 }
 
+// How often quads are made anew with more room where some are inverted.
+const int maximum_number_of_refinements = 6;
+
 // All stages behind the field, with lengths in the unit of `Cut_surface::length`.
 template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_field& field,
@@ -110,14 +113,27 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     return Patch_result();
   });
 
-  clock.start(Quad_stage::QUANTIZATION);
-  Quad_complex complex =
-    Quad_maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length).make();
-
-  clock.start(Quad_stage::SMOOTHING);
   Smoothing_options smoothing_options;
   smoothing_options.arc_tolerance = 0.02 * target_edge_length;
-  smooth(complex, surface, embedding, features, smoothing_options);
+  Quad_maker maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length);
+  Quad_complex complex;
+  std::size_t least_number_of_inverted = 0;
+  for(int refinement = 0; ; ++refinement)
+  {
+    clock.start(Quad_stage::QUANTIZATION);
+    Quad_complex next = maker.make();
+    clock.start(Quad_stage::SMOOTHING);
+    const std::vector<int> inverted = smooth(next, surface, embedding, features, smoothing_options).inverted_quads;
+    const bool is_refined = !inverted.empty() && refinement < maximum_number_of_refinements
+                            && maker.refine(next, inverted);
+    if(refinement == 0 || inverted.size() < least_number_of_inverted)
+    {
+      complex = std::move(next);
+      least_number_of_inverted = inverted.size();
+    }
+    if(!is_refined)
+      break;
+  }
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();

@@ -55,11 +55,8 @@ public:
     }
   }
 
-  Plane_vector coordinates(const Coordinates& point) const
-  {
-    const Coordinates d = point - m_origin;
-    return { dot(d, m_x), dot(d, m_y) };
-  }
+  Plane_vector coordinates(const Coordinates& point) const { return tangential(point - m_origin); }
+  Plane_vector tangential(const Coordinates& v) const { return { dot(v, m_x), dot(v, m_y) }; }
 
   Coordinates in_space(const Plane_vector& v) const { return v.x * m_x + v.y * m_y; }
 

@@ -45,14 +45,16 @@ struct Smoothing_options
 struct Smoothing_report
 {
   double worst_before = 0, worst_after = 0;       // scaled Jacobian, negative if the quad lies on its face
-  int inverted_before = 0, inverted_after = 0;    // quads whose scaled Jacobian is not positive
+  int inverted_before = 0;                        // quads whose scaled Jacobian is not positive
+  std::vector<int> inverted_quads;                // after it
 };
 
-inline int number_of_inverted_quads(const Sliding_quads& quads)
+inline std::vector<int> inverted_quads(const Sliding_quads& quads)
 {
-  int result = 0;
+  std::vector<int> result;
   for(int q = 0; q < quads.number_of_quads(); ++q)
-    result += quads.shape(q).scaled_jacobian <= 0;
+    if(quads.shape(q).scaled_jacobian <= 0)
+      result.push_back(q);
   return result;
 }
 
@@ -161,25 +163,27 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
     return report;
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   report.worst_before = quads.worst();
-  report.inverted_before = number_of_inverted_quads(quads);
+  report.inverted_before = static_cast<int>(inverted_quads(quads).size());
   Distortion_sweeps sweeps(quads, options.good_enough);
   bool may_untangle = untangle_quads(quads);
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
     may_untangle |= release_tangled_parts(quads);
-    if(round == 1 && number_of_inverted_quads(quads) > 0)
+    if(round == 1 && !inverted_quads(quads).empty())
     {
       // Valid quads matter more than that arcs are kept as exactly as elsewhere.
       quads.set_arc_tolerance(2 * options.arc_tolerance);
       may_untangle = true;
     }
     may_untangle = may_untangle && untangle_quads(quads);
-    improve_worst_quads(quads, options.bad);
+    const bool has_improved = improve_worst_quads(quads, options.bad);
     sweeps.run(options.number_of_sweeps / 2);
+    if(!may_untangle && !has_improved && inverted_quads(quads).empty())
+      break;
   }
   report.worst_after = quads.worst();
-  report.inverted_after = number_of_inverted_quads(quads);
+  report.inverted_quads = inverted_quads(quads);
   return report;
 }
 

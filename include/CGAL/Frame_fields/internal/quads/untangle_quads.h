@@ -13,10 +13,10 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_UNTANGLE_QUADS_H
 
 #include <CGAL/Frame_fields/internal/quads/Sliding_quads.h>
-#include <CGAL/Frame_fields/internal/quads/improve_worst_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_shape.h>
+#include <CGAL/Frame_fields/internal/quads/sliding_step.h>
+#include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
-#include <CGAL/Frame_fields/internal/surface/face_basis.h>
 
 #include <algorithm>
 #include <array>
@@ -31,21 +31,20 @@ namespace internal {
 
 // Turns the quads of a part of a quad mesh right side up.
 //
-// It minimizes the sum of (|a|^2 + |b|^2) / chi(a x b) over the corners with sides a and b, where a x b is seen along
-// the normal of the surface, and chi(t) = (t + sqrt(t^2 + e^2)) / 2 is positive also for inverted corners; e gets
+// It minimizes the sum of (|a|^2 + |b|^2) / (2 chi(a x b)) over the corners with sides a and b, where a x b is seen
+// along the normal of the surface, and chi(t) = (t + sqrt(t^2 + e^2)) / 2 is positive also for inverted corners; e gets
 // smaller with them. On the way a quad may get worse. All of it is undone unless less quads are inverted in the end,
 // or as many and the worst is better.
 class Untangled_part
 {
 public:
-  Untangled_part(Sliding_quads& quads, const std::vector<int>& part, const std::vector<int>& vertices)
-    : m_quads(quads), m_part(part), m_vertices(vertices)
+  // `epsilon` has room for a number per corner of all quads.
+  Untangled_part(Sliding_quads& quads, const std::vector<int>& part, const std::vector<int>& vertices,
+                 std::vector<double>& epsilon)
+    : m_quads(quads), m_part(part), m_vertices(vertices), m_epsilon(epsilon)
   {
     for(const int v : vertices)
-    {
       m_old_slide.push_back(quads.slide_of(v));
-      m_step.push_back(0.25 * mean_length_of_sides(quads, v));
-    }
   }
 
   // Returns whether it has improved.
@@ -55,16 +54,11 @@ public:
     const int number_of_vertices = static_cast<int>(m_vertices.size());
     const int number_of_rounds = (std::min)(40, (std::max)(4, 40000 / (std::max)(1, number_of_vertices)));
     const std::pair<int, double> old_score = score();
-    double mean_area = 0;
-    for(const int q : m_part)
-      mean_area += area(q) / static_cast<double>(m_part.size());
     for(int round = 0; round < number_of_rounds && score().first > 0; ++round)
     {
-      const double worst = (std::min)(0., least_corner_area());
-      const double smallest_part = 1e-3, part = 0.2;
-      m_epsilon = std::hypot(smallest_part * mean_area, part * worst);
-      for(std::size_t i = 0; i < m_vertices.size(); ++i)
-        lower_energy(i);
+      set_epsilons();
+      for(const int v : m_vertices)
+        lower_energy(v);
     }
     const std::pair<int, double> new_score = score();
     const bool is_better =
@@ -90,23 +84,22 @@ private:
     return result;
   }
 
-  double area(const int quad) const
+  // Each corner has its own scale, so that those with a short side count as well.
+  void set_epsilons()
   {
-    const Quad_points p = m_quads.points(quad);
-    return length(cross(p[2] - p[0], p[3] - p[1])) / 2;
-  }
-
-  double least_corner_area() const
-  {
-    double result = 0;
+    const double smallest_part = 1e-3, part = 0.2;
     for(const int q : m_part)
     {
       const Quad_points p = m_quads.points(q);
       const Coordinates normal = unit_normal(q);
       for(int k = 0; k < 4; ++k)
-        result = (std::min)(result, dot(cross(p[(k + 1) % 4] - p[k], p[(k + 3) % 4] - p[k]), normal));
+      {
+        const Coordinates a = p[(k + 1) % 4] - p[k], b = p[(k + 3) % 4] - p[k];
+        m_epsilon[4 * static_cast<std::size_t>(q) + k] =
+          std::hypot(smallest_part * std::sqrt(dot(a, a) * dot(b, b)),
+                     part * (std::min)(0., dot(cross(a, b), normal)));
+      }
     }
-    return result;
   }
 
   Coordinates unit_normal(const int quad) const
@@ -116,52 +109,133 @@ private:
     return norm > 0 ? 1 / norm * normal : normal;
   }
 
-  // Of the quads of a vertex that is at `point`.
-  double energy(const int vertex, const Coordinates& point) const
+  // Calls `visit(a, b, normal, epsilon, k)` for the three corners, of each quad of a vertex that is at `point`, that
+  // depend on it: k is 0 at the vertex, 1 at the next one of the quad and 3 at the one before.
+  template <typename Visit>
+  void for_each_moving_corner(const int vertex, const Coordinates& point, const Visit& visit) const
   {
-    double sum = 0;
     for(const int* c = m_quads.corners_begin(vertex); c != m_quads.corners_end(vertex); ++c)
     {
       Quad_points p = m_quads.points(*c / 4);
       p[*c % 4] = point;
       const Coordinates normal = unit_normal(*c / 4);
-      for(int k = 0; k < 4; ++k)
+      for(const int k : { 0, 1, 3 })
       {
-        const Coordinates a = p[(k + 1) % 4] - p[k], b = p[(k + 3) % 4] - p[k];
-        const double t = dot(cross(a, b), normal), root = std::hypot(t, m_epsilon);
-        const double twice_chi = t >= 0 ? t + root : m_epsilon * m_epsilon / (root - t); // without cancellation
-        sum += (dot(a, a) + dot(b, b)) / twice_chi;
+        const int corner = (*c + k) % 4;
+        visit(p[(corner + 1) % 4] - p[corner], p[(corner + 3) % 4] - p[corner], normal,
+              m_epsilon[*c - *c % 4 + corner], k);
       }
     }
+  }
+
+  // 2 chi, without cancellation.
+  static double twice_chi(const double t, const double root, const double epsilon)
+  {
+    return t >= 0 ? t + root : epsilon * epsilon / (root - t);
+  }
+
+  // Of the quads of a vertex that is at `point`.
+  double energy(const int vertex, const Coordinates& point) const
+  {
+    double sum = 0;
+    for_each_moving_corner(vertex, point, [&](const Coordinates& a, const Coordinates& b, const Coordinates& normal,
+                                              const double epsilon, int)
+    {
+      const double t = dot(cross(a, b), normal), root = std::hypot(t, epsilon);
+      sum += (dot(a, a) + dot(b, b)) / twice_chi(t, root, epsilon);
+    });
     return sum;
   }
 
-  void lower_energy(const std::size_t place)
+  // The step against the gradient of the energy, scaled by a positive definite part of its second derivatives: that
+  // of f(s, t) = s / (2 chi(t)) without the terms that mix s and t.
+  Coordinates descent_step(const int vertex) const
   {
-    const int vertex = m_vertices[place], maximum_number_of_trials = 3;
+    const Vertex_plane plane(m_quads, vertex);
+    Plane_vector gradient{ 0, 0 };
+    double xx = 0, xy = 0, yy = 0;
+    for_each_moving_corner(vertex, m_quads.point(vertex),
+                           [&](const Coordinates& a, const Coordinates& b, const Coordinates& normal,
+                               const double epsilon, const int k)
+    {
+      const double s = dot(a, a) + dot(b, b), t = dot(cross(a, b), normal), root = std::hypot(t, epsilon);
+      const double f = 1 / twice_chi(t, root, epsilon), df = -f / root, ddf = f / (root * root) * (1 + t / root);
+      // The vertex is the apex, the end of b, or the end of a.
+      const Coordinates ds = k == 0 ? -2 * (a + b) : 2 * (k == 1 ? b : a);
+      const Coordinates dt = cross(normal, k == 0 ? b - a : k == 1 ? a : -1 * b);
+      const Plane_vector u = plane.tangential(ds), w = plane.tangential(dt);
+      gradient = gradient + f * u + s * df * w;
+      const double diagonal = (k == 0 ? 4 : 2) * f;
+      xx += diagonal + s * ddf * w.x * w.x;
+      yy += diagonal + s * ddf * w.y * w.y;
+      xy += s * ddf * w.x * w.y;
+    });
+    const double determinant = xx * yy - xy * xy;
+    if(!(determinant > 0))
+      return { 0, 0, 0 };
+    return plane.in_space({ (xy * gradient.y - yy * gradient.x) / determinant,
+                            (xy * gradient.x - xx * gradient.y) / determinant });
+  }
+
+  bool try_slide(const int vertex, const Slide& slide, double& old_energy)
+  {
+    const double new_energy = energy(vertex, slide.point);
+    if(!(new_energy < old_energy))
+      return false;
+    old_energy = new_energy;
+    m_quads.move(vertex, slide);
+    return true;
+  }
+
+  void lower_energy(const int vertex)
+  {
+    if(m_quads.freedom(vertex) == Sliding_quads::ON_ARC)
+      lower_energy_on_arc(vertex);
+    else
+      lower_energy_inside(vertex);
+  }
+
+  void lower_energy_inside(const int vertex)
+  {
+    const int maximum_number_of_steps = 2, maximum_number_of_halvings = 4;
     double old_energy = energy(vertex, m_quads.point(vertex));
+    for(int i = 0; i < maximum_number_of_steps; ++i)
+    {
+      const Coordinates step = descent_step(vertex);
+      bool has_moved = false;
+      Slide slide;
+      double part = 1;
+      for(int j = 0; j <= maximum_number_of_halvings && !has_moved; ++j, part /= 2)
+        has_moved = m_quads.slide_inside(vertex, part * step, slide) && try_slide(vertex, slide, old_energy);
+      if(!has_moved)
+        return;
+    }
+  }
+
+  void lower_energy_on_arc(const int vertex)
+  {
+    const int maximum_number_of_trials = 5;
+    double old_energy = energy(vertex, m_quads.point(vertex));
+    const std::pair<double, double> range = m_quads.arc_order().range(vertex, m_quads.vertex(vertex).arc);
+    double step = 0.25;
     for(int trial = 0; trial < maximum_number_of_trials; ++trial)
     {
-      const bool has_moved = try_slides_around(m_quads, vertex, m_step[place], [&](const Slide& slide)
+      const double here = m_quads.arc_order().length(vertex);
+      bool has_moved = false;
+      for(const double length : { here + step * (range.second - here), here + step * (range.first - here) })
       {
-        const double new_energy = energy(vertex, slide.point);
-        if(!(new_energy < old_energy))
-          return false;
-        old_energy = new_energy;
-        m_quads.move(vertex, slide);
-        return true;
-      });
-      m_step[place] *= has_moved ? 1.5 : 0.5;
+        Slide slide;
+        has_moved = has_moved || (m_quads.slide_on_arc(vertex, length, slide) && try_slide(vertex, slide, old_energy));
+      }
+      step *= has_moved ? 1.5 : 0.5;
     }
-    m_step[place] *= 2;
   }
 
   Sliding_quads& m_quads;
   const std::vector<int>& m_part;     // quads
   const std::vector<int>& m_vertices; // that may slide: all their quads are in the part
+  std::vector<double>& m_epsilon;     // per corner
   std::vector<Slide> m_old_slide;     // per entry of m_vertices
-  std::vector<double> m_step;         // per entry of m_vertices
-  double m_epsilon = 0;
 };
 
 // Calls `visit(part, vertices)` for the connected parts that inverted quads form with the given number of rings of
@@ -245,10 +319,11 @@ inline bool release_tangled_parts(Sliding_quads& quads)
 inline bool untangle_quads(Sliding_quads& quads)
 {
   bool has_improved = false;
+  std::vector<double> epsilon(4 * static_cast<std::size_t>(quads.number_of_quads()));
   for(const int number_of_rings : { 2, 5 })
     for_each_tangled_part(quads, number_of_rings, [&](const std::vector<int>& part, const std::vector<int>& vertices)
     {
-      has_improved |= Untangled_part(quads, part, vertices).run();
+      has_improved |= Untangled_part(quads, part, vertices, epsilon).run();
     });
   return has_improved;
 }
