@@ -115,6 +115,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
 
   Smoothing_options smoothing_options;
   smoothing_options.arc_tolerance = 0.02 * target_edge_length;
+  smoothing_options.may_release_bends = false;
   Quad_maker maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length);
   Quad_complex complex;
   std::size_t least_number_of_inverted = 0;
@@ -133,6 +134,11 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     }
     if(!is_refined)
       break;
+  }
+  if(least_number_of_inverted > 0)
+  {
+    smoothing_options.may_release_bends = true;
+    smooth(complex, surface, embedding, features, smoothing_options);
   }
 
   statistics.number_of_patches = surface.patches.size();

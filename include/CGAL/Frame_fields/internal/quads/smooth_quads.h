@@ -37,7 +37,8 @@ struct Smoothing_options
 {
   int number_of_sweeps = 20;                // of all vertices by the distortion
   int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
-  double arc_tolerance = 0;                 // by how much sides may leave arcs where vertices at bends must slide
+  bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
+  double arc_tolerance = 0;                 // by how much sides may leave arcs there
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
   double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
 };
@@ -169,8 +170,9 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
-    may_untangle |= release_tangled_parts(quads);
-    if(round == 1 && !inverted_quads(quads).empty())
+    if(options.may_release_bends)
+      may_untangle |= release_tangled_parts(quads);
+    if(options.may_release_bends && round == 1 && !inverted_quads(quads).empty())
     {
       // Valid quads matter more than that arcs are kept as exactly as elsewhere.
       quads.set_arc_tolerance(2 * options.arc_tolerance);
