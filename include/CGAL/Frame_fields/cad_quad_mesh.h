@@ -87,8 +87,8 @@ vertices are on them.
     \cgalParamDescription{the length that the edges of the quads should have, a length of `tm`}
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{the mean length of the edges of `tm`}
-    \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 2 percent of
-                    this length; by up to 4 percent where a quad would be inverted otherwise.}
+    \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 4 percent of
+                    this length; by up to 5 percent where a quad would be inverted otherwise.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_quads}
     \cgalParamDescription{about how many quads there should be, in place of `target_edge_length`}

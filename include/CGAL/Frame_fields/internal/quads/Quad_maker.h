@@ -65,6 +65,9 @@ inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
   return old_number;
 }
 
+// By how much sides of quads may leave the arcs, over the wanted length of edges.
+const double arc_tolerance = 0.04;
+
 // From the T-meshes of the patches to quads.
 //
 // Pieces inside patches and on their sides may get no edges, so that tiny ones cost no quads. Then vertices coincide,
@@ -92,7 +95,7 @@ public:
       double arc_length = 0;
       for(const int h : arc.halfedges)
         arc_length += surface.length[h];
-      const double tolerance = 0.02 * (std::min)(target_edge_length, arc_length);
+      const double tolerance = arc_tolerance * (std::min)(target_edge_length, arc_length);
       std::vector<int> source_vertex;
       for(const int h : arc.halfedges)
         source_vertex.push_back(embedding.vertex[previous_of(h)]);
@@ -166,13 +169,25 @@ private:
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
-        m_layout.network.edges[m_layout.first_piece[patch] + piece].lower_bound = m_forbids_empty_pieces ? 1 : 0;
+      {
+        Bidirected_edge& edge = m_layout.network.edges[m_layout.first_piece[patch] + piece];
+        edge.lower_bound = (std::max)(m_forbids_empty_pieces ? 1 : 0, least_count(edge.target));
+      }
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
     {
       int& bound = m_layout.network.edges[a].lower_bound;
-      bound = (std::max)(bound, static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1));
+      const int least_at_bends = static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1);
+      bound = (std::max)({ bound, least_at_bends, least_count(m_layout.network.edges[a].target) });
     }
     bound_arcs_of_other_patches();
+  }
+
+  // The quadratic costs take edges that are much too long for no worse than those that are as much too short. No edge
+  // should be longer than about twice the wanted length.
+  static int least_count(const double target)
+  {
+    const double largest_count = 1e8;
+    return static_cast<int>((std::min)(largest_count, target / 2));
   }
 
   // The fillings need a few edges on each of their arcs; split triangles have two for each edge of the mesh.

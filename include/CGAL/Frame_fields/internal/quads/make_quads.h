@@ -114,7 +114,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   });
 
   Smoothing_options smoothing_options;
-  smoothing_options.arc_tolerance = 0.02 * target_edge_length;
+  smoothing_options.arc_tolerance = arc_tolerance * target_edge_length;
   smoothing_options.may_release_bends = false;
   Quad_maker maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length);
   Quad_complex complex;

@@ -175,7 +175,7 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
     if(options.may_release_bends && round == 1 && !inverted_quads(quads).empty())
     {
       // Valid quads matter more than that arcs are kept as exactly as elsewhere.
-      quads.set_arc_tolerance(2 * options.arc_tolerance);
+      quads.set_arc_tolerance(1.25 * options.arc_tolerance);
       may_untangle = true;
     }
     may_untangle = may_untangle && untangle_quads(quads);
