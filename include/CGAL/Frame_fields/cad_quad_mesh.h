@@ -88,7 +88,7 @@ vertices are on them.
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{the mean length of the edges of `tm`}
     \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 4 percent of
-                    this length; by up to 5 percent where a quad would be inverted otherwise.}
+                    this length.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_quads}
     \cgalParamDescription{about how many quads there should be, in place of `target_edge_length`}

@@ -87,8 +87,6 @@ public:
     return true;
   }
 
-  void set_arc_tolerance(const double tolerance) { m_arc_tolerance = tolerance; }
-
   const Quad_vertex& vertex(const int vertex) const { return m_complex.vertices[vertex]; }
   const std::array<int, 4>& quad(const int quad) const { return m_complex.quads[quad]; }
   const Coordinates& point(const int vertex) const { return m_point[vertex]; }

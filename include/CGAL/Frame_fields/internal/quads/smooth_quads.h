@@ -170,14 +170,7 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
-    if(options.may_release_bends)
-      may_untangle |= release_tangled_parts(quads);
-    if(options.may_release_bends && round == 1 && !inverted_quads(quads).empty())
-    {
-      // Valid quads matter more than that arcs are kept as exactly as elsewhere.
-      quads.set_arc_tolerance(1.25 * options.arc_tolerance);
-      may_untangle = true;
-    }
+    may_untangle |= options.may_release_bends && release_tangled_parts(quads);
     may_untangle = may_untangle && untangle_quads(quads);
     const bool has_improved = improve_worst_quads(quads, options.bad);
     sweeps.run(options.number_of_sweeps / 2);
