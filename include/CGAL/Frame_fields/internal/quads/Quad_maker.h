@@ -24,7 +24,7 @@
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
-#include <CGAL/Frame_fields/internal/quantization/quantize.h>
+#include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
 #include <CGAL/Frame_fields/internal/quantization/t_mesh_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -137,6 +138,7 @@ private:
     m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
     const std::vector<double> edge_length(m_t_meshes.size(), m_target_edge_length);
     m_layout = t_mesh_network(m_surface, m_features, m_t_meshes, { edge_length, {} });
+    m_quantizer.reset();
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
@@ -204,7 +206,9 @@ private:
   {
     for(;;)
     {
-      const Quantization quantization = quantize(m_layout.network, quantization_options());
+      if(!m_quantizer)
+        m_quantizer.emplace(m_layout.network, quantization_options());
+      const Quantization quantization = m_quantizer->run();
       m_value = quantization.value;
       if(quantization.is_feasible)
         return;
@@ -465,6 +469,7 @@ private:
   Arc_sides m_sides;
   std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
   T_mesh_network m_layout;
+  std::optional<Quantizer> m_quantizer; // of the network of the layout
   std::vector<char> m_cannot_be_raised; // per unknown: with its bound at 1 there is no solution
   std::vector<int> m_value;             // per unknown
   Vertex_classes m_classes;
