@@ -142,13 +142,28 @@ private:
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
-        m_layout.network.edges[m_layout.first_piece[patch] + piece].lower_bound = m_forbids_empty_pieces ? 1 : 0;
+        m_layout.network.edges[m_layout.first_piece[patch] + piece].lower_bound =
+          (m_forbids_empty_pieces || separates_critical_vertices(m_t_meshes[patch], m_t_meshes[patch].pieces[piece]))
+          ? 1 : 0;
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
     {
       int& bound = m_layout.network.edges[a].lower_bound;
       bound = (std::max)(bound, static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1));
     }
     bound_arcs_of_other_patches();
+  }
+
+  // Whether a piece would join two vertices that must not coincide if it got no edge. Of chains of pieces, only the
+  // rounds can tell.
+  bool separates_critical_vertices(const T_mesh& t_mesh, const T_mesh_piece& piece) const
+  {
+    const auto is_critical_node = [&](const int n)
+    {
+      const T_mesh_node& node = t_mesh.nodes[n];
+      return node.halfedge >= 0
+          || (node.sector >= 0 && (m_surface.is_constrained_sector(node.sector) || m_index[node.sector] != 0));
+    };
+    return piece.halfedge < 0 && is_critical_node(piece.source) && is_critical_node(piece.target);
   }
 
   // The fillings need a few edges on each of their arcs; split triangles have two for each edge of the mesh.
