@@ -50,8 +50,8 @@ inline Leaning_frames leaning_frames(const Frame_field& field)
   return result;
 }
 
-// Gives patches whose indices exclude every map other indices, and a field and a map with them. A field that leads to no
-// map with certificate stays as it was.
+// Gives patches whose indices exclude every map other indices, and a field and a map with them. A field that leads to
+// no map with certificate stays as it was.
 template <typename SolverTraits>
 class Field_repair
 {
