@@ -76,8 +76,10 @@ Quads quads_of(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& np)
   quads.surface = marked_surface(mesh, [&](const auto e) { return get(is_marked, e); });
   for(const auto f : faces(mesh))
     quads.surface.patch.push_back(get(patch, f));
+  // Where a pair of indices was cancelled, its corners have other numbers of quads than their angles ask for.
   for(const FF::Patch_quad_statistics& statistics : quads.statistics.patches)
-    quads.surface.is_certified.push_back(statistics.way == FF::Patch_way::CERTIFIED_MAP);
+    quads.surface.is_certified.push_back(statistics.way == FF::Patch_way::CERTIFIED_MAP
+                                         && statistics.number_of_cancelled_pairs == 0);
   return quads;
 }
 
