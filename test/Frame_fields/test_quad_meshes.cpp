@@ -76,8 +76,10 @@ Quads quads_of(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& np)
   quads.surface = marked_surface(mesh, [&](const auto e) { return get(is_marked, e); });
   for(const auto f : faces(mesh))
     quads.surface.patch.push_back(get(patch, f));
+  // Where a pair of indices was cancelled, its corners have other numbers of quads than their angles ask for.
   for(const FF::Patch_quad_statistics& statistics : quads.statistics.patches)
-    quads.surface.is_certified.push_back(statistics.way == FF::Patch_way::CERTIFIED_MAP);
+    quads.surface.is_certified.push_back(statistics.way == FF::Patch_way::CERTIFIED_MAP
+                                         && statistics.number_of_cancelled_pairs == 0);
   return quads;
 }
 
@@ -215,6 +217,20 @@ Model loop_of_three_edges()
   return model;
 }
 
+// Around the hole, the outer border rises by a step that no map can have. With one pair of indices less it is a slope.
+Model ring_with_step()
+{
+  Polyline border, hole;
+  for(int i = 0; i <= 24; ++i)
+  {
+    const double angle = 15 * degree * i, radius = 2 + 0.6 * i / 24;
+    border.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+    if(i < 24)
+      hole.push_back({ std::cos(angle), std::sin(angle) });
+  }
+  return planar(border, 0.3, {}, { hole });
+}
+
 std::vector<Named_model> special_models()
 {
   const Polyline frame = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } };
@@ -227,6 +243,7 @@ std::vector<Named_model> special_models()
     { "holes", [=] { return planar(frame, 0.3, {}, { { { 1, 1 }, { 1.4, 1 }, { 1.2, 1.3 } },
                                                      { { 2, 2 }, { 2.5, 2 }, { 2.5, 2.5 }, { 2, 2.5 } } }); }, "" },
     { "loop_of_three_edges", loop_of_three_edges, "" },
+    { "ring_with_step", ring_with_step, "" },
     { "components", [=] { return side_by_side(side_by_side(cube(), single_triangle()),
                                               side_by_side(torus(), annulus(8, 1))); }, "" },
     { "two_triangles", [] { return Model{ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 } },
@@ -241,6 +258,18 @@ std::vector<Named_model> special_models()
 }
 
 INSTANTIATE_TEST_SUITE_P(special, Quad_meshes, testing::ValuesIn(special_models()), Model_name());
+
+TEST(Quad_meshes_of_ring_with_step, need_one_pair_less)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(ring_with_step(), false);
+  for(const bool is_allowed : { true, false })
+  {
+    const FF::Quad_statistics statistics = quads_of(cad_mesh, parameters::repair_matching(is_allowed)).statistics;
+    EXPECT_EQ(is_allowed ? 0u : 1u, statistics.number_of_filled_patches);
+    EXPECT_EQ(is_allowed ? 1u : 0u, statistics.number_of_repaired_patches);
+    EXPECT_EQ(is_allowed ? 1u : 0u, statistics.patches[0].number_of_cancelled_pairs);
+  }
+}
 
 // Edges far longer than the model, and far shorter than those of its triangles.
 TEST(Quad_meshes_of_any_size, fulfil_the_contract)

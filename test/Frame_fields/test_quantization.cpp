@@ -12,6 +12,7 @@
 // Integers on bidirected networks against enumeration, and networks whose best integers are known.
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+#include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/quantization/unattainable_edges.h>
 
@@ -31,6 +32,7 @@ using CGAL::Frame_fields::internal::Bidirected_edge;
 using CGAL::Frame_fields::internal::Bidirected_network;
 using CGAL::Frame_fields::internal::Quantization;
 using CGAL::Frame_fields::internal::Quantization_options;
+using CGAL::Frame_fields::internal::Quantizer;
 using CGAL::Frame_fields::internal::quantize;
 using CGAL::Frame_fields::internal::unattainable_edges;
 
@@ -404,6 +406,75 @@ TEST(Quantization, raised_lower_bounds_stay_feasible)
     check(network, result);
     EXPECT_GE(result.cost, last_cost - 1e-9);
     last_cost = result.cost_bound;
+  }
+}
+
+// Every run knows the bounds as they are then, also after runs without solution.
+TEST(Quantizer, small_networks_get_the_best_integers_after_each_change_of_bounds)
+{
+  int number_of_solutions = 0, number_of_failures = 0;
+  for(unsigned seed = 0; seed < 500; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Bidirected_network network = small_network(seed, false);
+    std::mt19937 generator(seed);
+    Quantizer quantizer(network);
+    for(int run = 0; run < 6; ++run)
+    {
+      const Quantization result = quantizer.run();
+      const Enumeration enumeration(network);
+      EXPECT_EQ(result.is_feasible, enumeration.is_feasible());
+      check(network, result);
+      ++(result.is_feasible ? number_of_solutions : number_of_failures);
+      if(result.is_feasible && enumeration.is_feasible())
+      {
+        EXPECT_TRUE(result.is_optimal);
+        EXPECT_NEAR(result.cost, enumeration.least_cost(), 1e-9);
+      }
+      Bidirected_edge& edge =
+        network.edges[random_number(generator, static_cast<int>(network.edges.size()))];
+      edge.lower_bound = random_number(generator, 3);
+      edge.upper_bound = edge.lower_bound + random_number(generator, 3);
+    }
+  }
+  EXPECT_GT(number_of_solutions, 300);
+  EXPECT_GT(number_of_failures, 300);
+}
+
+// Rows of cells with one piece on each side: most edges are in chains. The flow is as good as one from scratch.
+TEST(Quantizer, raised_bounds_in_chains)
+{
+  std::mt19937 generator(5);
+  Bidirected_network network = large_network(11, 600);
+  const int number_of_strips = static_cast<int>(network.edges.size());
+  for(int e = 0; e < number_of_strips; ++e)
+    for(int piece = 0; piece < 3; ++piece)
+    {
+      const int node = network.number_of_nodes++;
+      Bidirected_edge rest = network.edges[e];
+      network.edges[e].node[1] = rest.node[0] = node;
+      network.edges[e].sign[1] = piece == 1 ? -1 : 1;
+      rest.sign[0] = -network.edges[e].sign[1];
+      rest.target += random_number(generator, 10) / 10.;
+      network.edges.push_back(rest);
+      std::swap(network.edges[e], network.edges.back()); // the next one is cut off from what is left
+    }
+  Quantizer quantizer(network);
+  for(int round = 0; round < 4; ++round)
+  {
+    const Quantization result = quantizer.run(), from_scratch = quantize(network);
+    ASSERT_TRUE(result.is_feasible && from_scratch.is_feasible);
+    check(network, result);
+    EXPECT_LE(result.cost_bound, from_scratch.cost * (1 + 1e-9));
+    EXPECT_LE(from_scratch.cost_bound, result.cost * (1 + 1e-9));
+    EXPECT_LE(result.cost, 1.02 * from_scratch.cost);
+    if(!result.is_optimal && !from_scratch.is_optimal)
+    {
+      EXPECT_NEAR(result.cost_bound, from_scratch.cost_bound, 1e-9 * result.cost_bound);
+    }
+    for(std::size_t e = round; e < network.edges.size(); e += 40)
+      if(network.edges[e].lower_bound > 0)
+        network.edges[e].lower_bound = result.value[e] + 1;
   }
 }
 

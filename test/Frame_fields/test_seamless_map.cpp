@@ -3,6 +3,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
+#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
@@ -580,8 +581,113 @@ TEST(Seamless_map, makes_a_slope_of_the_step)
 
 TEST(Seamless_map, knows_that_a_torus_with_one_pair_has_none)
 {
-  const Case c = make_case(torus_with_one_pair());
-  EXPECT_NE(Map_status::CERTIFIED, map_of(c).status[0]);
+  Case c = make_case(torus_with_one_pair());
+  EXPECT_EQ(Map_status::ONE_PAIR_ON_TORUS, map_of(c).status[0]);
+  // With any other indices it may have one: this test is of the knowledge alone.
+  const int first = static_cast<int>(std::find(c.index.begin(), c.index.end(), 1) - c.index.begin());
+  ++c.index[first];
+  EXPECT_EQ(-1, one_pair_on_torus(c.surface, c.surface.patches[0], c.index)[0]);
+  --c.index[first];
+  ++c.index[first == 0 ? 1 : 0];
+  EXPECT_EQ(-1, one_pair_on_torus(c.surface, c.surface.patches[0], c.index)[0]);
+  EXPECT_EQ(-1, one_pair_on_torus(c.surface, c.surface.patches[0], make_case(torus()).index)[0]);
+}
+
+struct Repaired_case
+{
+  Case c;
+  Seamless_map map;
+  std::vector<int> cancelled_pairs;
+};
+
+// Of the field that the soup asks for, but the repair is free.
+Repaired_case repaired_case(const Soup& soup, const bool is_allowed)
+{
+  Repaired_case result;
+  result.c = make_case(soup);
+  Cut_surface& surface = result.c.surface;
+  Options options = options_from(CGAL::parameters::default_values());
+  No_clock clock;
+  Frame_field field;
+  const Eigen_frame_field_solver_traits solver_traits;
+  EXPECT_EQ(CGAL::Frame_fields::OK,
+            compute_frame_field<CGAL::Sequential_tag>(surface, options, solver_traits, clock, field).error_code);
+  surface.index_target.clear();
+  options.repair_matching = is_allowed;
+  result.cancelled_pairs = compute_seamless_map_and_repair_field<CGAL::Sequential_tag>(
+    surface, options, result.c.target_length, solver_traits, field, result.map);
+  const Leaning_frames frames = leaning_frames(field);
+  result.c.alpha = frames.alpha;
+  result.c.rho = frames.rho;
+  result.c.matching = field.matching;
+  result.c.index = field.index;
+  return result;
+}
+
+TEST(Seamless_map, cancels_pairs_that_exclude_it)
+{
+  for(const Soup& soup : { tube(1, false), tube(2, false), torus_with_one_pair() })
+  {
+    const Repaired_case repaired = repaired_case(soup, true);
+    EXPECT_EQ(std::vector<int>{ 1 }, repaired.cancelled_pairs);
+    ASSERT_EQ(std::vector<Map_status>{ Map_status::CERTIFIED }, repaired.map.status);
+    expect_valid(repaired.c, repaired.map);
+    EXPECT_EQ(std::vector<int>(repaired.c.index.size(), 0), repaired.c.index);
+
+    const Repaired_case kept = repaired_case(soup, false);
+    EXPECT_EQ(std::vector<int>{ 0 }, kept.cancelled_pairs);
+    EXPECT_NE(Map_status::CERTIFIED, kept.map.status[0]);
+    EXPECT_EQ(1, std::count(kept.c.index.begin(), kept.c.index.end(), 1));
+  }
+}
+
+TEST(Seamless_map, leaves_fields_alone_that_have_one)
+{
+  const Repaired_case repaired = repaired_case(cube(false), true);
+  EXPECT_EQ(std::vector<int>{ 0 }, repaired.cancelled_pairs);
+  EXPECT_EQ(make_case(cube(false)).index, repaired.c.index);
+}
+
+// The distances along edges by relaxing all of them until nothing changes.
+std::vector<double> distances_from(const Case& c, const int start)
+{
+  std::vector<double> result(c.index.size(), 1e9);
+  result[start] = 0;
+  for(bool has_changed = true; has_changed; )
+  {
+    has_changed = false;
+    for(int h = 0; h < c.surface.number_of_halfedges(); ++h)
+      for(const bool is_forward : { true, false })
+      {
+        const int from = c.surface.sector[is_forward ? previous_of(h) : h];
+        const int to = c.surface.sector[is_forward ? h : previous_of(h)];
+        if(result[from] + c.surface.length[h] < result[to])
+        {
+          result[to] = result[from] + c.surface.length[h];
+          has_changed = true;
+        }
+      }
+  }
+  return result;
+}
+
+// Between two convex corners of an L, it is the nearer one that goes with the reflex corner.
+TEST(Seamless_map, finds_the_nearest_pair)
+{
+  const Case c = make_case(l_shape());
+  const int reflex = static_cast<int>(std::find(c.index.begin(), c.index.end(), -1) - c.index.begin());
+  const std::vector<double> distance = distances_from(c, reflex);
+  int number_of_pairs = 0;
+  for(int a = 0; a < c.surface.number_of_sectors(); ++a)
+    for(int b = 0; b < c.surface.number_of_sectors(); ++b)
+      if(c.index[a] == 1 && c.index[b] == 1 && std::abs(distance[a] - distance[b]) > 1e-9)
+      {
+        const std::array<int, 2> pair = pair_at_side(c.surface, c.surface.patches[0], c.index, { { a, b } });
+        EXPECT_EQ(distance[a] < distance[b] ? a : b, pair[0]);
+        EXPECT_EQ(reflex, pair[1]);
+        ++number_of_pairs;
+      }
+  EXPECT_GT(number_of_pairs, 5);
 }
 
 TEST(Seamless_map, needs_room_for_a_quad_in_each_sector)

@@ -69,6 +69,7 @@ struct Patch_quad_statistics
   std::size_t number_of_quads = 0;           ///< quadrangles of the result
   Patch_way way = Patch_way::CERTIFIED_MAP;  ///< where these come from
   std::string reason;                        ///< why the patch was filled; empty otherwise
+  std::size_t number_of_cancelled_pairs = 0; ///< pairs of indices of its field that went, since it had no map with them
 };
 
 /// \ingroup PkgFrame_fieldsRef
@@ -94,6 +95,7 @@ struct Quad_statistics
   std::size_t number_of_patches = 0;           ///< pieces of the surface cut along its features
   std::size_t number_of_certified_patches = 0; ///< patches with the way `Patch_way::CERTIFIED_MAP`
   std::size_t number_of_filled_patches = 0;    ///< patches with the way `Patch_way::FILLING`
+  std::size_t number_of_repaired_patches = 0;  ///< patches whose field lost pairs of indices
   std::size_t number_of_nodes = 0;             ///< vertices at which feature curves end, meet or turn
   std::size_t number_of_arcs = 0;              ///< feature curves between nodes, or closed without any
   std::size_t number_of_quads = 0;             ///< faces of the result

@@ -27,7 +27,8 @@ enum class Seamless_map_status
   SOLVER_FAILED,     ///< A linear system could not be solved, or the values are too large for the grid
   INVERTED_FACE,     ///< A face could not be brought to positive orientation
   REVERSED_EDGE,     ///< A constrained edge could not be brought to run along its branch
-  WRONG_CONE         ///< A sector turns by another angle than its index says, or its index leaves no room for a quad
+  WRONG_CONE,        ///< A sector turns by another angle than its index says, or its index leaves no room for a quad
+  ONE_PAIR_ON_TORUS  ///< The only irregular vertices of a torus are one of three and one of five quads: it has no map
 };
 
 /// \ingroup PkgFrame_fieldsRef

@@ -17,6 +17,8 @@
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
@@ -29,6 +31,8 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
+
+#include <vector>
 
 /// \file cad_quad_mesh.h
 
@@ -47,9 +51,11 @@ piece of the surface between feature and border edges, gets a field, a certified
 feature curves are one integer program, a flow on a bidirected network. The cells become grids of quads, whose
 vertices then slide on the surface until the quads are well shaped.
 
-A patch for which there is no certified map, or no such integers, is filled with quads of about the same size instead;
-it then has more irregular vertices. So there is always a quad mesh. `statistics` tells which patches were filled, and
-why.
+Where the indices of a field exclude every map, as around a ring whose border has a step, or on a torus with two
+irregular vertices, a pair of them is cancelled, up to three times, and the field of the patch computed with the others;
+not so if `repair_matching` is `false`. A patch for which there is still no certified map, or no such integers, is
+filled with quads of about the same size instead; it then has more irregular vertices. So there is always a quad mesh.
+`statistics` tells which patches lost pairs, which were filled, and why.
 
 The result contains quads only, and it is a manifold of the topology of `tm`. Every vertex at which feature edges end,
 meet or turn is a vertex of the result, and the feature edges between such vertices become chains of edges whose
@@ -195,12 +201,19 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(field_result.error_code != OK)
     return internal::to_result(cut_mesh, field_result);
 
+  clock.start(Quad_stage::SEAMLESS_MAP);
+  const double target_edge_length = edge_length / surface.length_unit;
+  const std::vector<double> target_length(surface.number_of_faces(), target_edge_length);
+  internal::Seamless_map map;
+  const std::vector<int> cancelled_pairs = internal::compute_seamless_map_and_repair_field<Concurrency_tag>(
+    surface, options, target_length, solver_traits, field, map);
+
   Quad_statistics statistics;
   internal::write_statistics(surface, options, field, internal::No_stage_clock(), statistics.field);
-  const double target_edge_length = edge_length / surface.length_unit;
   const internal::Quad_complex complex =
-    internal::make_quads<Concurrency_tag>(surface, embedding, internal::quad_field_of(field), {}, target_edge_length,
-                                          solver_traits, clock, statistics);
+    internal::make_quads<Concurrency_tag>(surface, embedding, field.index, map, {}, target_edge_length, clock,
+                                          statistics);
+  internal::note_cancelled_pairs(cancelled_pairs, statistics);
   clock.start(Quad_stage::ASSEMBLY);
   internal::output_quads(surface, embedding, complex, given_unit, quad_mesh, np);
   clock.stop();

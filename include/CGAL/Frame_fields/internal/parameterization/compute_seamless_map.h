@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_COMPUTE_SEAMLESS_MAP_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_COMPUTE_SEAMLESS_MAP_H
 
+#include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/parameterization/Combed_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Combing.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Map_certificate.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/Untangler.h>
+#include <CGAL/Frame_fields/internal/parameterization/one_pair_on_torus.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
@@ -198,6 +200,8 @@ Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch
 {
   if(!has_room_for_quads(surface, patch, index))
     return Map_status::WRONG_CONE;
+  if(one_pair_on_torus(surface, patch, index)[0] >= 0)
+    return Map_status::ONE_PAIR_ON_TORUS;
   Patch_parameterization parameterization(surface, patch, alpha, rho, matching, index, target_length,
                                           patch.faces.begin_index);
   return parameterization.compute(solver_traits, map, fraction_bits);

@@ -24,7 +24,7 @@
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
-#include <CGAL/Frame_fields/internal/quantization/quantize.h>
+#include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
 #include <CGAL/Frame_fields/internal/quantization/t_mesh_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -167,12 +168,15 @@ private:
     m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
     const std::vector<double> edge_length(m_t_meshes.size(), m_target_edge_length);
     m_layout = t_mesh_network(m_surface, m_features, m_t_meshes, { edge_length, {} });
+    m_quantizer.reset();
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
       {
         Bidirected_edge& edge = m_layout.network.edges[m_layout.first_piece[patch] + piece];
-        edge.lower_bound = (std::max)(m_forbids_empty_pieces ? 1 : 0, least_count(edge.target));
+        const bool needs_edge = m_forbids_empty_pieces
+                                || separates_critical_vertices(m_t_meshes[patch], m_t_meshes[patch].pieces[piece]);
+        edge.lower_bound = (std::max)(needs_edge ? 1 : 0, least_count(edge.target));
       }
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
     {
@@ -189,6 +193,19 @@ private:
   {
     const double largest_count = 1e8;
     return static_cast<int>((std::min)(largest_count, target / 2));
+  }
+
+  // Whether a piece would join two vertices that must not coincide if it got no edge. Of chains of pieces, only the
+  // rounds can tell.
+  bool separates_critical_vertices(const T_mesh& t_mesh, const T_mesh_piece& piece) const
+  {
+    const auto is_critical_node = [&](const int n)
+    {
+      const T_mesh_node& node = t_mesh.nodes[n];
+      return node.halfedge >= 0
+          || (node.sector >= 0 && (m_surface.is_constrained_sector(node.sector) || m_index[node.sector] != 0));
+    };
+    return piece.halfedge < 0 && is_critical_node(piece.source) && is_critical_node(piece.target);
   }
 
   // The fillings need a few edges on each of their arcs; split triangles have two for each edge of the mesh.
@@ -246,7 +263,9 @@ private:
   {
     for(;;)
     {
-      const Quantization quantization = quantize(m_layout.network, quantization_options());
+      if(!m_quantizer)
+        m_quantizer.emplace(m_layout.network, quantization_options());
+      const Quantization quantization = m_quantizer->run();
       m_value = quantization.value;
       if(quantization.is_feasible)
         return;
@@ -516,6 +535,7 @@ private:
   Arc_sides m_sides;
   std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
   T_mesh_network m_layout;
+  std::optional<Quantizer> m_quantizer; // of the network of the layout
   std::vector<char> m_cannot_be_raised; // per unknown: with its bound at 1 there is no solution
   std::vector<int> m_value;             // per unknown
   Vertex_classes m_classes;

@@ -18,7 +18,6 @@
 #include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
-#include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
@@ -37,14 +36,6 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The field that the quads follow: the relaxed branches, their matching, and 4 I.
-struct Quad_field
-{
-  std::vector<double> alpha, rho;  // per face
-  std::vector<int> matching;       // per dual edge
-  std::vector<int> index;          // per sector
-};
-
 inline const char* reason_of(const Map_status status)
 {
   switch(status)
@@ -55,6 +46,7 @@ inline const char* reason_of(const Map_status status)
     case Map_status::INVERTED_FACE:    return "a face of the map is inverted";
     case Map_status::REVERSED_EDGE:    return "a feature edge of the map runs backward";
     case Map_status::WRONG_CONE:       return "a sector of the map does not have the angle of its index";
+    case Map_status::ONE_PAIR_ON_TORUS: return "a torus with one pair of irregular vertices has no map";
   }
   return "";
 }
@@ -86,19 +78,13 @@ inline double surface_area(const Cut_surface& surface)
 const int maximum_number_of_refinements = 6;
 
 // All stages behind the field, with lengths in the unit of `Cut_surface::length`.
-template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
-Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_field& field,
-                        const std::vector<char>& is_marked_vertex, const double target_edge_length,
-                        const SolverTraits& solver_traits, StageClock& clock, Quad_statistics& statistics)
+template <typename ConcurrencyTag, typename StageClock>
+Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
+                        const Seamless_map& map, const std::vector<char>& is_marked_vertex,
+                        const double target_edge_length, StageClock& clock, Quad_statistics& statistics)
 {
-  clock.start(Quad_stage::SEAMLESS_MAP);
-  Seamless_map map;
-  const std::vector<double> target_length(surface.number_of_faces(), target_edge_length);
-  compute_seamless_map<ConcurrencyTag>(surface, field.alpha, field.rho, field.matching, field.index, target_length,
-                                       solver_traits, map);
-
   clock.start(Quad_stage::T_MESH);
-  const std::vector<char> is_node = feature_nodes(surface, embedding, field.index, is_marked_vertex);
+  const std::vector<char> is_node = feature_nodes(surface, embedding, index, is_marked_vertex);
   const Feature_network features = make_feature_network(surface, embedding, is_node);
   std::vector<char> is_arc_node(surface.number_of_sectors(), 0);
   for(int s = 0; s < surface.number_of_sectors(); ++s)
@@ -107,7 +93,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   std::vector<T_mesh_status> t_mesh_status(surface.patches.size());
   for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    T_mesh_result result = make_T_mesh(surface, surface.patches[patch], field.index, map, is_arc_node);
+    T_mesh_result result = make_T_mesh(surface, surface.patches[patch], index, map, is_arc_node);
     t_meshes[patch] = std::move(result.mesh);
     t_mesh_status[patch] = result.status;
     return Patch_result();
@@ -116,8 +102,9 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   Smoothing_options smoothing_options;
   smoothing_options.arc_tolerance = arc_tolerance * target_edge_length;
   smoothing_options.may_release_bends = false;
-  Quad_maker maker(surface, embedding, field.index, features, map, t_meshes, target_edge_length);
+  Quad_maker maker(surface, embedding, index, features, map, t_meshes, target_edge_length);
   Quad_complex complex;
+  std::vector<char> is_filled(surface.patches.size());
   std::size_t least_number_of_inverted = 0;
   for(int refinement = 0; ; ++refinement)
   {
@@ -130,6 +117,8 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     if(refinement == 0 || inverted.size() < least_number_of_inverted)
     {
       complex = std::move(next);
+      for(std::size_t p = 0; p < is_filled.size(); ++p)
+        is_filled[p] = t_meshes[p].cells.empty();
       least_number_of_inverted = inverted.size();
     }
     if(!is_refined)
@@ -150,7 +139,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   {
     Patch_quad_statistics& patch = statistics.patches[p];
     patch.number_of_faces = surface.patches[p].faces.size();
-    patch.way = t_meshes[p].cells.empty() ? Patch_way::FILLING : Patch_way::CERTIFIED_MAP;
+    patch.way = is_filled[p] ? Patch_way::FILLING : Patch_way::CERTIFIED_MAP;
     if(patch.way == Patch_way::FILLING)
       patch.reason = map.status[p] == Map_status::CERTIFIED ? reason_of(t_mesh_status[p]) : reason_of(map.status[p]);
     ++(patch.way == Patch_way::FILLING ? statistics.number_of_filled_patches

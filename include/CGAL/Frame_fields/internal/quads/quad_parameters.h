@@ -103,16 +103,13 @@ inline double target_edge_length_of(const Quad_size& size, const Cut_surface& su
   return sum / static_cast<double>(surface.length.size());
 }
 
-// The relaxed field of the quads.
-inline Quad_field quad_field_of(const Frame_field& field)
+inline void note_cancelled_pairs(const std::vector<int>& cancelled_pairs, Quad_statistics& statistics)
 {
-  Quad_field result{ field.alpha, std::vector<double>(field.alpha.size()), field.matching, field.index };
-  for(std::size_t f = 0; f < field.alpha.size(); ++f)
+  for(std::size_t p = 0; p < cancelled_pairs.size(); ++p)
   {
-    result.alpha[f] += field.gamma[f][0];
-    result.rho[f] = field.gamma[f][1] - field.gamma[f][0];
+    statistics.patches[p].number_of_cancelled_pairs = cancelled_pairs[p];
+    statistics.number_of_repaired_patches += cancelled_pairs[p] > 0;
   }
-  return result;
 }
 
 // Adds the quads to the caller's mesh and writes the maps of its elements. `unit` is that of the points of `embedding`

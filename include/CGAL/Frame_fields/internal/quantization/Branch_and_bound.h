@@ -42,7 +42,7 @@ class Branch_and_bound
 {
 public:
   // The flow must be solved.
-  explicit Branch_and_bound(Half_integral_flow& flow) : m_flow(flow) {}
+  explicit Branch_and_bound(Half_integral_flow& flow) : m_flow(flow), m_root(flow.optimum()) {}
 
   // Descends into a branch of every odd component at once, which gives good integers soon if it gives any.
   void dive()
@@ -64,7 +64,6 @@ public:
         break;
     }
     leave_all_branches();
-    m_flow.solve_again();
   }
 
   // Visits at most so many flows, and about so many edges in all.
@@ -149,10 +148,12 @@ private:
     m_branches.pop_back();
   }
 
+  // Back to the flow that there was.
   void leave_all_branches()
   {
     while(!m_branches.empty())
       ascend();
+    m_flow.restore(m_root);
   }
 
   bool turn_to_next_branch()
@@ -168,6 +169,7 @@ private:
   }
 
   Half_integral_flow& m_flow;
+  const Half_integral_flow::Optimum m_root;
   Integral_values m_best;
   std::vector<Branch> m_branches;
 };

@@ -54,7 +54,7 @@ public:
       m_lower[e] = (std::max)(network.edges[e].lower_bound, -largest_value);
       m_upper[e] = (std::min)(network.edges[e].upper_bound, largest_value);
       for(int arc = 2 * static_cast<int>(e); arc < 2 * static_cast<int>(e) + 2; ++arc)
-        push(arc, optimum(arc));
+        push(arc, best_value(arc));
     }
   }
 
@@ -96,6 +96,23 @@ public:
       if(m_excess[source] >= large_excess)
         return solve();
     return remove_excesses();
+  }
+
+  // What an optimal flow is, without its bounds. It can come back once these are those that it was optimal for.
+  struct Optimum
+  {
+    std::vector<int> flow;         // per arc
+    std::vector<double> potential; // per node
+  };
+
+  Optimum optimum() const { return { m_flow, m_potential }; }
+
+  void restore(const Optimum& optimum)
+  {
+    m_flow = optimum.flow;
+    m_potential = optimum.potential;
+    std::fill(m_excess.begin(), m_excess.end(), 0);
+    m_sources.clear();
   }
 
   int lower_bound(const int edge) const { return m_lower[edge]; }
@@ -169,7 +186,7 @@ private:
   }
 
   // The value of an arc that costs least for the potentials of its ends.
-  int optimum(const int arc) const
+  int best_value(const int arc) const
   {
     const Bidirected_edge& edge = m_network.edges[arc / 2];
     return nearest_integer(edge.target - potential_difference(arc) / (2 * edge.weight), m_lower[arc / 2],
@@ -194,9 +211,7 @@ private:
                             && !(can_increase(arc) && forward_cost(arc) < -tolerance)
                             && !(can_decrease(arc) && backward_cost(arc) < -tolerance);
     if(!is_optimal)
-    {
-      push(arc, optimum(arc) - m_flow[arc]);
-    }
+      push(arc, best_value(arc) - m_flow[arc]);
     m_sources.push_back(m_graph.tail[arc]);
     m_sources.push_back(m_graph.head[arc]);
   }

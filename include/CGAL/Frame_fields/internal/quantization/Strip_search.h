@@ -134,7 +134,7 @@ private:
   // Dijkstra's algorithm from the end of a step to its begin. What gains something by itself counts as free.
   std::vector<Step> shortest_strip(const Step& step)
   {
-    const int maximum_number_of_visits = 4096, end = begin_of(step);
+    const int maximum_number_of_visits = 1024, end = begin_of(step);
     m_queue.clear();
     m_reached.clear();
     reach(end_of(step), 0, START);

@@ -92,7 +92,7 @@ inline std::vector<Network_component> network_components(const Bidirected_networ
   {
     if(is_unconstrained(network.edges[e]))
       continue;
-    Bidirected_edge edge = finite_edge(network.edges[e]);
+    Bidirected_edge edge = network.edges[e];
     int& c = component[sets.find((std::max)(edge.node[0], edge.node[1]))];
     if(c < 0)
     {
