@@ -93,7 +93,7 @@ vertices are on them.
     \cgalParamDescription{the length that the edges of the quads should have, a length of `tm`}
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{the mean length of the edges of `tm`}
-    \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 4 percent of
+    \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 2 percent of
                     this length.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_quads}

@@ -33,23 +33,10 @@ inline double distance_from_segment(const Coordinates& p, const Coordinates& a, 
   return distance(p, { a[0] + t * ab[0], a[1] + t * ab[1], a[2] + t * ab[2] });
 }
 
-// By how much a straight line may leave an arc: by `distance` at most, and where this is more than `least_distance`, by
-// a part of the length of the line, so that a small circle keeps its shape. Its chords then turn by about 30 degrees.
-struct Arc_tolerance
-{
-  static constexpr double part_of_line = 0.07;
-  double distance, least_distance;
-
-  double along_line(const double length) const
-  {
-    return (std::min)(distance, (std::max)(least_distance, part_of_line * length));
-  }
-};
-
 // The places along an arc between which straight lines keep within a tolerance of it: place i is the source of its
 // halfedge i. The ends are left out; a loop begins with place 0. (Ramer, Douglas and Peucker.)
 inline std::vector<int> arc_breakpoints(const Surface_embedding& embedding, const Feature_arc& arc,
-                                        const std::vector<int>& source_vertex, const Arc_tolerance& tolerance)
+                                        const std::vector<int>& source_vertex, const double tolerance)
 {
   const int n = static_cast<int>(arc.halfedges.size());
   const auto point = [&](const int place) -> const Coordinates&
@@ -65,7 +52,7 @@ inline std::vector<int> arc_breakpoints(const Surface_embedding& embedding, cons
     const int begin = ranges.back().first, end = ranges.back().second;
     ranges.pop_back();
     int farthest = -1;
-    double largest = tolerance.along_line(distance(point(begin), point(end)));
+    double largest = tolerance;
     for(int place = begin + 1; place < end; ++place)
     {
       const double d = distance_from_segment(point(place), point(begin), point(end));

@@ -67,7 +67,7 @@ inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
 }
 
 // By how much sides of quads may leave the arcs, over the wanted length of edges.
-const double arc_tolerance = 0.0375, least_arc_tolerance = 0.01;
+const double arc_tolerance = 0.02;
 
 // From the T-meshes of the patches to quads.
 //
@@ -96,8 +96,7 @@ public:
       double arc_length = 0;
       for(const int h : arc.halfedges)
         arc_length += surface.length[h];
-      const double edge_length = (std::min)(target_edge_length, arc_length);
-      const Arc_tolerance tolerance{ arc_tolerance * edge_length, least_arc_tolerance * edge_length };
+      const double tolerance = arc_tolerance * (std::min)(target_edge_length, arc_length);
       std::vector<int> source_vertex;
       for(const int h : arc.halfedges)
         source_vertex.push_back(embedding.vertex[previous_of(h)]);
