@@ -5,6 +5,7 @@
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/internal/field/Hub_rings.h>
+#include <CGAL/Frame_fields/internal/field/local_feature_length.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
@@ -17,10 +18,12 @@
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_ball.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
+#include <CGAL/Frame_fields/internal/surface/Sector_rings.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
 #include <CGAL/Frame_fields/internal/surface/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
+#include <CGAL/Frame_fields/internal/surface/weights.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>

@@ -9,6 +9,7 @@
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
 #include <CGAL/Frame_fields/internal/surface/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>

@@ -97,6 +97,11 @@ inline Result failure(const Error_code error_code, const std::string& element)
   return { error_code, std::string(get_error_message(error_code)) + ": " + element };
 }
 
+inline Result wrong_parameter(const std::string& name, const double value, const std::string& range)
+{
+  return failure(ERROR_WRONG_PARAMETER, name + " is " + std::to_string(value) + " and must be " + range);
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

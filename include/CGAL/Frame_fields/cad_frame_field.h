@@ -15,7 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
@@ -271,10 +271,11 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
   const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
 
   clock.start(CUT_SURFACE);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  const Result cut_result = internal::check_and_cut(options, cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  const Result cut_result = internal::check_and_cut(options, stage_mesh);
   if(!cut_result)
     return cut_result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   internal::Frame_field field;
   const internal::Patch_result field_result =

@@ -13,8 +13,8 @@
 #define CGAL_FRAME_FIELDS_COMB_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/comb_patch.h>
@@ -99,8 +99,9 @@ Result comb_frame_field(const TriangleMesh& tm, MatchingMap matching_map, FirstB
                         QuarterTurnMap quarter_turn_map,
                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(internal::options_from(np), stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<int> matching;
   if(result)
     result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);

@@ -13,8 +13,10 @@
 #define CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
@@ -148,19 +150,24 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
                                 RhoMap rho_map, MatchingMap matching_map, double& maximum_misalignment,
                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  const Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  const Result result = internal::check_and_cut(internal::options_from(np), stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
+  const auto traits = internal::Geom_traits_from<TriangleMesh, CGAL_NP_CLASS>::get(np);
 
   std::vector<double> alpha, rho;
   double largest_turn = 0;
   for(int f = 0; f < surface.number_of_faces(); ++f)
   {
-    const auto face = cut_mesh.face_descriptors()[f];
-    internal::Frame frame = internal::Frame::from_angles(cut_mesh.angle_in_face(face, get(u_map, face)),
-                                                         cut_mesh.angle_in_face(face, get(v_map, face)));
+    const auto angle_of = [&](const auto& vector_map)
+    {
+      return cut_mesh.angle_in_face(f, internal::coordinates_of(get(vector_map, cut_mesh.face_descriptors()[f]),
+                                                                traits));
+    };
+    internal::Frame frame = internal::Frame::from_angles(angle_of(u_map), angle_of(v_map));
     bool is_frame = std::abs(frame.rho) < CGAL_PI / 2; // false for NaN, too
     if(is_frame && surface.is_aligned(f))
     {

@@ -14,10 +14,11 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Field_quality.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/quality.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -102,10 +103,11 @@ Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rh
                            Field_quality& quality,
                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = internal::check_and_cut(options, cut_mesh);
+  Result result = internal::check_and_cut(options, stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)

@@ -14,7 +14,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/room_for_indices.h>
 #include <CGAL/Frame_fields/split_chords.h>
@@ -85,12 +85,13 @@ that needs nothing stays as it is.
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> Cut_mesh;
+  typedef internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> Stage_mesh;
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  const Result result = Cut_mesh(tm, np).build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  const Result result = Stage_mesh(tm, np).cut(options, accepts_overconstrained_faces);
   if(!result)
     return result;
   split_overconstrained_faces(tm, np);
@@ -103,10 +104,11 @@ Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL:
   {
     std::vector<halfedge_descriptor> edges;
     {
-      Cut_mesh cut_mesh(tm, np);
-      const Result split_result = cut_mesh.build(options);
+      Stage_mesh stage_mesh(tm, np);
+      const Result split_result = stage_mesh.cut(options);
       if(!split_result)
         return split_result;
+      const auto& cut_mesh = stage_mesh.cut_mesh();
       for(const int e : internal::edges_that_make_room(cut_mesh.surface()))
         edges.push_back(cut_mesh.halfedge_of(cut_mesh.surface().dual_edges[e].halfedge));
     }

@@ -15,11 +15,11 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Refinement_statistics.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Coplanar_flips.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Longest_edge_splits.h>
 #include <CGAL/Frame_fields/internal/surface/coordinate_rounding.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -48,8 +48,7 @@ Result read_for_refinement(const TriangleMesh& tm, const Mesh& mesh, std::vector
   for(const auto v : vertices(tm))
   {
     points.push_back(mesh.coordinates(v));
-    const Coordinates& p = points.back();
-    if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if(!is_finite(points.back()))
       return failure(ERROR_NON_FINITE_COORDINATE,
                      "vertex " + std::to_string(points.size() - 1) + " of vertices(tm)");
   }
@@ -74,8 +73,7 @@ double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const dou
     const auto h = halfedge(f, tm);
     const Coordinates p = mesh.coordinates(source(h, tm)), q = mesh.coordinates(target(h, tm));
     const Coordinates r = mesh.coordinates(target(next(h, tm), tm));
-    const Coordinates pq{ (q[0] - p[0]) / length, (q[1] - p[1]) / length, (q[2] - p[2]) / length };
-    const Coordinates pr{ (r[0] - p[0]) / length, (r[1] - p[1]) / length, (r[2] - p[2]) / length };
+    const Coordinates pq = (q - p) / length, pr = (r - p) / length;
     number_by_area += internal::length(cross(pq, pr)) * 2 / std::sqrt(3.);
     number_of_edges += internal::length(pq) + internal::length(pr) + distance(pq, pr);
   }

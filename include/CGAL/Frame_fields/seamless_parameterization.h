@@ -14,12 +14,13 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Seamless_map_status.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/seamless_map_output.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -140,10 +141,11 @@ Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, Rho
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = internal::check_and_cut(options, cut_mesh);
+  Result result = internal::check_and_cut(options, stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho, target_length;
   std::vector<int> matching, index;
   if(result)

@@ -13,9 +13,9 @@
 #define CGAL_FRAME_FIELDS_SINGULARITIES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 
@@ -106,12 +106,14 @@ template <typename TriangleMesh, typename IndexMap, typename OutputIterator, typ
 Result singularities(const TriangleMesh& tm, IndexMap index_map, OutputIterator out,
                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  const Result result = cut_mesh.build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  const Result result = stage_mesh.cut(options, accepts_overconstrained_faces);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   const internal::Cut_surface& surface = cut_mesh.surface();
   std::vector<Singularity<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> > found;

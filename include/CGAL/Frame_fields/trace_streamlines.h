@@ -15,12 +15,14 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_options.h>
 #include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/streamlines/streamline_output.h>
 #include <CGAL/Frame_fields/parameters.h>
@@ -131,10 +133,12 @@ template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename Ma
 Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
                          OutputIterator out, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = cut_mesh.build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  Result result = stage_mesh.cut(options, accepts_overconstrained_faces);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
@@ -149,15 +153,14 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   if(!result)
     return result;
   typedef typename internal::Given_concurrency<CGAL_NP_CLASS>::type Concurrency_tag;
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+  typedef internal::Geom_traits_from<TriangleMesh, CGAL_NP_CLASS> Geom_traits_from;
+  typedef typename Geom_traits_from::type Geom_traits;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   const internal::Branch_directions directions(surface, alpha, rho, matching);
   std::vector<Streamline<typename Geom_traits::Point_3, face_descriptor> > output; // all of it, or an exception
   for(const auto& streamlines : internal::trace_in_patches<Concurrency_tag>(charts, directions, streamline_options))
     for(const internal::Traced_streamline& streamline : streamlines)
-      output.push_back(internal::to_streamline(tm, cut_mesh, directions, streamline, traits));
+      output.push_back(internal::to_streamline(cut_mesh, directions, streamline, Geom_traits_from::get(np)));
   std::move(output.begin(), output.end(), out);
   return {};
 }

@@ -13,7 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FLAT_FACES_H
 
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <algorithm>
 #include <array>

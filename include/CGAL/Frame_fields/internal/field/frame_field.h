@@ -14,6 +14,8 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
+#include <CGAL/Frame_fields/internal/field/energies.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>

@@ -28,7 +28,6 @@
 #include <CGAL/tags.h>
 
 #include <cmath>
-#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -73,21 +72,19 @@ Options options_from(const NamedParameters& np)
 
 inline Result check(const Options& options)
 {
-  const auto wrong = [](const char* const name, const double value, const char* const range)
-  {
-    return failure(ERROR_WRONG_PARAMETER,
-                   std::string(name) + " is " + std::to_string(value) + " and must be " + range);
-  };
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))
-    return wrong("sharp_corner_bound", options.sharp_corner_bound, "a finite number that is not negative");
+    return wrong_parameter("sharp_corner_bound", options.sharp_corner_bound,
+                           "a finite number that is not negative");
   if(!(options.blunt_corner_bound >= 0))
-    return wrong("blunt_corner_bound", options.blunt_corner_bound, "a number that is not negative, or infinity");
+    return wrong_parameter("blunt_corner_bound", options.blunt_corner_bound,
+                           "a number that is not negative, or infinity");
   if(!(options.maximum_skewness >= 0 && options.maximum_skewness < CGAL_PI / 2))
-    return wrong("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
+    return wrong_parameter("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
   if(!(std::isfinite(options.orthogonality_weight) && options.orthogonality_weight >= 0))
-    return wrong("orthogonality_weight", options.orthogonality_weight, "a finite number that is not negative");
+    return wrong_parameter("orthogonality_weight", options.orthogonality_weight,
+                           "a finite number that is not negative");
   if(!std::isfinite(options.orthogonality_length))
-    return wrong("orthogonality_length", options.orthogonality_length, "a finite number");
+    return wrong_parameter("orthogonality_length", options.orthogonality_length, "a finite number");
   return {};
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/parameters.h>
@@ -78,8 +79,7 @@ Result read_target_length(const CutMesh& cut_mesh, const NamedParameters& np, st
   const double given = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal::target_edge_length), mean_length * surface.length_unit);
   if(!(given > 0 && std::isfinite(given)))
-    return failure(ERROR_WRONG_PARAMETER,
-                   "target_edge_length is " + std::to_string(given) + " and must be a positive finite number");
+    return wrong_parameter("target_edge_length", given, "a positive finite number");
   target_length.assign(surface.number_of_faces(), given / surface.length_unit);
   return {};
 }
