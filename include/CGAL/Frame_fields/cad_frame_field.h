@@ -39,7 +39,7 @@ index \f$ 1/2 \f$ at sharp corners (\cgalCite{cgal:dprcs-ffcm-22}).
 It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogonal_frame_field()`,
 `singularity_indices()` and `relax_frame_field()` do one after the other, with the same output.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam RhoMap a class model of `WritablePropertyMap` with

@@ -55,7 +55,7 @@ The result contains quads only, and it is a manifold of the topology of `tm`. Ev
 meet or turn is a vertex of the result, and the feature edges between such vertices become chains of edges whose
 vertices are on them.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam QuadMesh a model of `MutableFaceGraph` with an internal property map for `CGAL::vertex_point_t`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -43,7 +43,7 @@ the matching determines: the quarter turns across the edges around a sector that
 counter-clockwise, sum to \f$ 4I \f$ modulo 4. So seams end at constrained edges and at such sectors where \f$ 4I \f$ is
 no multiple of 4; where no seam ends, they go on.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam FirstBranchMap a class model of `WritablePropertyMap` with

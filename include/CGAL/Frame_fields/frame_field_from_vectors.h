@@ -15,7 +15,6 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
@@ -91,7 +90,7 @@ constrained edge the nearer branch is turned onto that edge, as indices are only
 constrained edges; `maximum_misalignment` tells by how much at most. The matching \f$ p_{ij} \f$ is the one for which
 the two branches turn the least, in the sense of squares.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam VectorMap1 a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` as value type
 \tparam VectorMap2 as `VectorMap1`
@@ -156,7 +155,6 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
     return result;
   const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
-  const auto traits = internal::Geom_traits_from<TriangleMesh, CGAL_NP_CLASS>::get(np);
 
   std::vector<double> alpha, rho;
   double largest_turn = 0;
@@ -165,7 +163,7 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
     const auto angle_of = [&](const auto& vector_map)
     {
       return cut_mesh.angle_in_face(f, internal::coordinates_of(get(vector_map, cut_mesh.face_descriptors()[f]),
-                                                                traits));
+                                                                stage_mesh.traits()));
     };
     internal::Frame frame = internal::Frame::from_angles(angle_of(u_map), angle_of(v_map));
     bool is_frame = std::abs(frame.rho) < CGAL_PI / 2; // false for NaN, too

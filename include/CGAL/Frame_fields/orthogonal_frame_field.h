@@ -44,7 +44,7 @@ energy, an eigenvector to the smallest eigenvalue of the same hermitian matrix. 
 sum, see Section \ref Frame_fieldsOrthogonal. The field is determined up to a common rotation of all frames. It does not
 depend on the number of threads.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -40,7 +40,7 @@ With the strategies `Support_strategy::rings()` and `Support_strategy::component
 \f$ 1/4 \f$ needs; elsewhere they sum to what the strategy takes back. Among all rotations with these sums this one has
 the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly zero in patches without sharp corner.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam PrescribedRotationMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

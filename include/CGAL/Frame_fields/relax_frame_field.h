@@ -41,7 +41,7 @@ along the edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, 
 angle until it does not; in a face with a constrained edge only the free pair is. The matching and the singularity
 indices stay what they are.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam RhoMap a class model of `WritablePropertyMap` with

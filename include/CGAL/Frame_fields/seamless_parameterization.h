@@ -45,7 +45,7 @@ patch is <I>exactly</I>, without rounding errors,
 This is proved for each patch from its points alone, in integers. A patch for which the proof fails is reported, and all
 its corners are at the origin. Nothing ties different patches to one another, nor the two sides of a feature edge.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam RhoMap a class model of `ReadablePropertyMap` with

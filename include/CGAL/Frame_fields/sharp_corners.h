@@ -33,7 +33,7 @@ lists the sharp corners of a mesh: the sectors on constrained edges whose total 
 
 Faces with several constrained edges are accepted. A sector angle does not change when such a face is split.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam OutputIterator a model of `OutputIterator` that accepts
        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

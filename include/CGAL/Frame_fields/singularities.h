@@ -61,7 +61,7 @@ struct Singularity
 
 lists the sectors of a frame field whose index is not 0, with their places and their distances to the features.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam IndexMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam OutputIterator a model of `OutputIterator` that accepts
@@ -116,7 +116,8 @@ Result singularities(const TriangleMesh& tm, IndexMap index_map, OutputIterator 
   const auto& cut_mesh = stage_mesh.cut_mesh();
 
   const internal::Cut_surface& surface = cut_mesh.surface();
-  std::vector<Singularity<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> > found;
+  typedef typename internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS>::Triangle_mesh Triangle_mesh;
+  std::vector<Singularity<typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor> > found;
   for(const internal::Patch& patch : surface.patches)
   {
     const bool has_constrained_sector = internal::has_constrained_sector(surface, patch);

@@ -41,7 +41,7 @@ and \f$ 2 - 4I \f$ at one that is. So an index of 0 is regular, \f$ 1/4 \f$ stan
 inner vertex of valence 3, and a sector on a constrained edge with an index of \f$ 1/2 \f$ or more cannot be meshed. The
 indices of a patch sum to its Euler characteristic.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with

@@ -17,7 +17,6 @@
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
-#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_options.h>
 #include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
@@ -51,7 +50,7 @@ In a face a streamline is straight. Across an edge it goes on along the branch t
 constrained edges, at singular sectors, at its maximum length, where it closes up, and where it comes too near to
 another line of its branch pair or to itself.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam RhoMap a class model of `ReadablePropertyMap` with
@@ -153,14 +152,14 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   if(!result)
     return result;
   typedef typename internal::Given_concurrency<CGAL_NP_CLASS>::type Concurrency_tag;
-  typedef internal::Geom_traits_from<TriangleMesh, CGAL_NP_CLASS> Geom_traits_from;
-  typedef typename Geom_traits_from::type Geom_traits;
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> Stage_mesh;
+  typedef typename boost::graph_traits<typename Stage_mesh::Triangle_mesh>::face_descriptor face_descriptor;
+  typedef typename Stage_mesh::Geom_traits::Point_3 Point_3;
   const internal::Branch_directions directions(surface, alpha, rho, matching);
-  std::vector<Streamline<typename Geom_traits::Point_3, face_descriptor> > output; // all of it, or an exception
+  std::vector<Streamline<Point_3, face_descriptor> > output; // all of it, or an exception
   for(const auto& streamlines : internal::trace_in_patches<Concurrency_tag>(charts, directions, streamline_options))
     for(const internal::Traced_streamline& streamline : streamlines)
-      output.push_back(internal::to_streamline(cut_mesh, directions, streamline, Geom_traits_from::get(np)));
+      output.push_back(internal::to_streamline(cut_mesh, directions, streamline, stage_mesh.traits()));
   std::move(output.begin(), output.end(), out);
   return {};
 }

@@ -34,7 +34,7 @@ class Orthogonality
 public:
   Orthogonality(const Cut_surface& surface, const Patch& patch, const Options& options)
     : m_surface(surface)
-    , m_is_integral(options.edge_weighting != UNIFORM_WEIGHTS)
+    , m_is_integral(surface.edge_weighting != UNIFORM_WEIGHTS)
     , m_factor(options.orthogonality_weight)
   {
     if(!m_is_integral)

@@ -45,13 +45,8 @@ struct Unit_weight_map
   friend double get(const Unit_weight_map&, const Face&) { return 1; }
 };
 
-template <typename NamedParameters>
-constexpr bool has_guidance = !CGAL::parameters::is_default_parameter<NamedParameters,
-                                                                      internal::guiding_direction_t>::value;
-
-template <typename NamedParameters>
-constexpr bool has_index_target_map = !CGAL::parameters::is_default_parameter<NamedParameters,
-                                                                              internal::index_target_t>::value;
+template <typename NamedParameters, typename Tag>
+constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
 // An infinite weight aligns a face that has no constrained edge.
 template <typename TriangleMesh, typename DirectionMap, typename WeightMap, typename GeomTraits>
@@ -119,7 +114,7 @@ Result read_guidance_and_targets(Cut_mesh<TriangleMesh>& cut_mesh, const NamedPa
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  if constexpr(has_guidance<NamedParameters>)
+  if constexpr(is_given<NamedParameters, internal::guiding_direction_t>)
   {
     typedef typename CGAL::internal_np::Lookup_named_param_def<
       internal::guiding_weight_t, NamedParameters,
@@ -130,7 +125,7 @@ Result read_guidance_and_targets(Cut_mesh<TriangleMesh>& cut_mesh, const NamedPa
     if(!result)
       return result;
   }
-  if constexpr(has_index_target_map<NamedParameters>)
+  if constexpr(is_given<NamedParameters, internal::index_target_t>)
     return read_index_targets(cut_mesh, get_parameter(np, internal::index_target));
   return {};
 }
