@@ -40,7 +40,7 @@ try
   PMP::detect_sharp_edges(mesh, 40, is_feature);
   const auto features = FF::parameters::edge_is_constrained_map(is_feature);
 
-  std::cout << FF::split_overconstrained_faces(mesh, features) << " faces split" << std::endl;
+  check(FF::split_overconstrained_faces(mesh, features));
   // Cut once: each function also takes the mesh, and cuts it then.
   const FF::Cut_triangle_mesh cut(mesh, features);
 

@@ -387,14 +387,10 @@ TYPED_TEST(Errors, quadrangle_cannot_be_split)
   TypeParam mesh;
   CGAL::make_triangle(Point(9, 0, 0), Point(8, 1, 0), Point(8, 0, 1), mesh);
   CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), mesh);
-  try
+  for(const FF::Result& result : { FF::split_overconstrained_faces(mesh), FF::split_chords(mesh) })
   {
-    FF::split_overconstrained_faces(mesh);
-    FAIL() << "no exception";
-  }
-  catch(const std::invalid_argument& error)
-  {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find("face 1 of faces(tm)")) << error.what();
+    expect_failure(FF::ERROR_NON_TRIANGULAR_MESH, result);
+    EXPECT_NE(std::string::npos, result.message.find("face 1 of faces(tm)")) << result.message;
   }
   EXPECT_EQ(2u, num_faces(mesh));
 }

@@ -106,7 +106,7 @@ std::vector<double> readings(const TriangleMesh& mesh, const Cad_mesh<Mesh>& cad
   for(const auto& singularity : singularities)
     result.insert(result.end(), { singularity.angle, singularity.distance_to_features });
   FF::Field_quality quality;
-  EXPECT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, np));
+  EXPECT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, np.quality(std::ref(quality))));
   result.insert(result.end(), { quality.energy, quality.curl, quality.mean_skewness });
   std::vector<FF::Streamline<Point, typename Graph_traits::face_descriptor> > streamlines;
   EXPECT_TRUE(FF::trace_streamlines(mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(streamlines), np));
@@ -181,7 +181,7 @@ TEST(Cut_triangle_mesh, keeps_the_weights_of_the_edges)
   const Cad_mesh<Surface_mesh> cad_mesh(generated_models().front().make());
   const Surface_mesh& mesh = cad_mesh.mesh;
   const Maps<Surface_mesh> expected(mesh), maps(mesh);
-  const auto np = cad_mesh.features().edge_weighting(FF::PRIMAL_OVER_DUAL_LENGTH);
+  const auto np = cad_mesh.features().edge_weighting(FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
   call_stages(mesh, expected, np);
   call_stages(FF::Cut_triangle_mesh(mesh, np), maps, parameters::maximum_skewness(0.45 * CGAL_PI));
   expect_identical(to_field(cad_mesh, expected), to_field(cad_mesh, maps));

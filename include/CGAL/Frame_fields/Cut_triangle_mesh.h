@@ -102,7 +102,7 @@ public:
     \cgalParamNBegin{edge_weighting}
       \cgalParamDescription{the weights of the edges in all sums}
       \cgalParamType{`Edge_weighting`}
-      \cgalParamDefault{`UNIFORM_WEIGHTS`}
+      \cgalParamDefault{`Edge_weighting::UNIFORM`}
     \cgalParamNEnd
     \cgalParamNBegin{concurrency_tag}
       \cgalParamDescription{tells whether patches are cut in parallel; the result is the same, bit for bit}

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -96,7 +97,7 @@ the two branches turn the least, in the sense of squares.
 \tparam VectorMap2 as `VectorMap1`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap as `AlphaMap`
+\tparam SkewnessMap as `AlphaMap`
 \tparam MatchingMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -105,9 +106,8 @@ the two branches turn the least, in the sense of squares.
 \param u_map one direction of each face
 \param v_map the other one
 \param alpha_map gets the angle of the first branch of each face, in radians
-\param rho_map gets the skewness of each face, in radians
+\param skewness_map gets the skewness of each face, in radians
 \param matching_map gets the matching \f$ p_{ij} \f$; 0 on constrained edges
-\param maximum_misalignment gets the largest angle by which a branch was turned onto a constrained edge, in radians
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -131,6 +131,14 @@ the two branches turn the least, in the sense of squares.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{maximum_misalignment}
+    \cgalParamDescription{gets the largest angle by which a branch was turned onto a constrained edge, in radians}
+    \cgalParamType{`std::reference_wrapper<double>`, that is `std::ref(x)` for an object `x` of type `double`}
+    \cgalParamDefault{it is not told}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
@@ -143,10 +151,10 @@ the two branches turn the least, in the sense of squares.
 \sa `singularity_indices()`
 \sa `frame_field_quality()`
 */
-template <typename TriangleMesh, typename VectorMap1, typename VectorMap2, typename AlphaMap, typename RhoMap,
+template <typename TriangleMesh, typename VectorMap1, typename VectorMap2, typename AlphaMap, typename SkewnessMap,
           typename MatchingMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, VectorMap2 v_map, AlphaMap alpha_map,
-                                RhoMap rho_map, MatchingMap matching_map, double& maximum_misalignment,
+                                SkewnessMap skewness_map, MatchingMap matching_map,
                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
@@ -188,9 +196,9 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
                                                   rho[internal::face_of(dual_edge.opposite)]));
   }
   internal::write_on_faces(cut_mesh, alpha, alpha_map);
-  internal::write_on_faces(cut_mesh, rho, rho_map);
+  internal::write_on_faces(cut_mesh, rho, skewness_map);
   internal::write_on_dual_edges(cut_mesh, matching, matching_map);
-  maximum_misalignment = largest_turn;
+  internal::give_to_caller(largest_turn, CGAL::parameters::get_parameter(np, internal::maximum_misalignment));
   return {};
 }
 

@@ -42,7 +42,7 @@ computes the four branches of the frame of a face as unit vectors, at the angles
 \param f a triangle of `tm` whose edges have a positive length; if its area is zero, the vectors lie in some plane
        through its edges
 \param alpha the angle of the first branch, in radians
-\param rho the skewness, in radians
+\param skewness the skewness \f$ \rho \f$, in radians
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -72,7 +72,8 @@ std::array<Vector_3, 4>
 std::array<typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type::Vector_3, 4>
 #endif
 frame_vectors(const TriangleMesh& tm, const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-              const double alpha, const double rho, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+              const double alpha, const double skewness,
+              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   typedef internal::Mesh_reader<const TriangleMesh, CGAL_NP_CLASS> Reader;
   typedef typename Reader::Geom_traits::FT FT;
@@ -89,7 +90,7 @@ frame_vectors(const TriangleMesh& tm, const typename boost::graph_traits<Triangl
                                                        FT(x * basis[0][1] + y * basis[1][1]),
                                                        FT(x * basis[0][2] + y * basis[1][2]));
   };
-  const double beta = alpha + CGAL_PI / 2 + rho;
+  const double beta = alpha + CGAL_PI / 2 + skewness;
   return { unit_vector(alpha, 1), unit_vector(beta, 1), unit_vector(alpha, -1), unit_vector(beta, -1) };
 }
 

@@ -98,7 +98,8 @@ depend on the number of threads.
   \cgalParamNBegin{guiding_weight_map}
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
-                          weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
+                          weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
+                          by
                           \f$ \sqrt 3 \f$, so that the sum is an integral.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
@@ -116,7 +117,7 @@ depend on the number of threads.
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}

@@ -46,7 +46,7 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
-\param omega_map gets the rotation, in radians, from the face of a halfedge to the face of its opposite;
+\param prescribed_rotation_map gets the rotation, in radians, from the face of a halfedge to the face of its opposite;
        \f$ \omega_{ji} = -\omega_{ij} \f$, and 0 on constrained edges
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -102,7 +102,7 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
@@ -136,7 +136,7 @@ none with `Support_strategy::none()` and `Support_strategy::local()`.
 \sa `orthogonal_frame_field()`
 */
 template <typename TriangleMesh, typename PrescribedRotationMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap omega_map,
+Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap prescribed_rotation_map,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
@@ -152,7 +152,7 @@ Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap omega_ma
   result = internal::to_result(cut_mesh, internal::prescribe_rotation<Concurrency_tag>(
     cut_mesh.surface(), options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), omega));
   if(result)
-    internal::write_on_dual_edges(cut_mesh, omega, omega_map);
+    internal::write_on_dual_edges(cut_mesh, omega, prescribed_rotation_map);
   return result;
 }
 

@@ -48,7 +48,7 @@ its corners are at the origin. Nothing ties different patches to one another, no
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `ReadablePropertyMap` with
+\tparam SkewnessMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -61,7 +61,7 @@ its corners are at the origin. Nothing ties different patches to one another, no
 
 \param tm the mesh
 \param alpha_map the angle of the first branch of each face, in radians
-\param rho_map the skewness of each face, in radians
+\param skewness_map the skewness of each face, in radians
 \param matching_map the matching \f$ p_{ij} \f$
 \param index_map four times the index of the sector of the corner at the target of each halfedge
 \param uv_map gets the point of the corner at the target of each halfedge in the chart of its face, and the origin on
@@ -133,9 +133,10 @@ first solution is not injective need up to some hundred solves more, and a few o
 \sa `cad_frame_field()`
 \sa `singularity_indices()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap, typename IndexMap,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap, typename IndexMap,
           typename UvMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
+Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map,
+                                 MatchingMap matching_map,
                                  IndexMap index_map, UvMap uv_map,
                                  const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
@@ -149,11 +150,11 @@ Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, Rho
   std::vector<double> alpha, rho, target_length;
   std::vector<int> matching, index;
   if(result)
-    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
+    result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, alpha, rho, matching);
   if(result)
     result = internal::check_skewness(cut_mesh, rho);
   if(result)
-    result = internal::read_indices(cut_mesh, alpha_map, rho_map, matching, index_map, index);
+    result = internal::read_indices(cut_mesh, alpha_map, skewness_map, matching, index_map, index);
   if(result)
     result = internal::read_target_length(cut_mesh, np, target_length);
   if(!result)

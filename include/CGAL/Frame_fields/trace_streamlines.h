@@ -53,7 +53,7 @@ another line of its branch pair or to itself.
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `ReadablePropertyMap` with
+\tparam SkewnessMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -64,7 +64,7 @@ another line of its branch pair or to itself.
 
 \param tm the mesh
 \param alpha_map the angle of the first branch of each face, in radians
-\param rho_map the skewness of each face, in radians
+\param skewness_map the skewness of each face, in radians
 \param matching_map the matching \f$ p_{ij} \f$
 \param out gets the streamlines, patch by patch
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -91,7 +91,7 @@ another line of its branch pair or to itself.
   \cgalParamNBegin{streamline_spacing}
     \cgalParamDescription{the distance of streamlines of a branch pair where they run side by side, and from constrained
                           edges that the field is aligned with}
-    \cgalParamType{`double`, a length}
+    \cgalParamType{`double`, a length, or `std::optional<double>`}
     \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-3} \f$ of its longest edge if that
                       is more}
     \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and a square of it at least
@@ -127,9 +127,9 @@ not much longer than wide and lines are separated.
 \sa `cad_frame_field()`
 \sa `frame_vectors()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap, typename OutputIterator,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap, typename OutputIterator,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
+Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map, MatchingMap matching_map,
                          OutputIterator out, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
@@ -141,7 +141,7 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
-    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
+    result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, alpha, rho, matching);
   if(!result)
     return result;
 

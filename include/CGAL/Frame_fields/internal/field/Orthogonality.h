@@ -34,15 +34,17 @@ class Orthogonality
 public:
   Orthogonality(const Cut_surface& surface, const Patch& patch, const Options& options)
     : m_surface(surface)
-    , m_is_integral(surface.edge_weighting != UNIFORM_WEIGHTS)
+    , m_is_integral(surface.edge_weighting != Edge_weighting::UNIFORM)
     , m_factor(options.orthogonality_weight)
   {
     if(!m_is_integral)
       return;
-    const double length = options.orthogonality_length / surface.length_unit;
-    const double default_squared_length = default_length_ratio * default_length_ratio * patch_area(surface, patch);
-    const double squared_length =
-      options.orthogonality_length > 0 ? (std::max)(length * length, smallest_number) : default_squared_length;
+    double squared_length = default_length_ratio * default_length_ratio * patch_area(surface, patch);
+    if(options.orthogonality_length)
+    {
+      const double length = *options.orthogonality_length / surface.length_unit;
+      squared_length = (std::max)(length * length, smallest_number);
+    }
     m_factor = squared_length > 0 ? 1 / (std::sqrt(3.) * squared_length) : 0; // 0: a patch without area
   }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -113,10 +114,10 @@ public:
   {
     if(m_strategy.kind() == Support_strategy::RINGS)
       return in_equal_parts(receivers_in_rings(m_surface, corner, m_strategy.number_of_rings(), m_bounds, m_rings));
-    const double radius = m_strategy.support_radius() / m_surface.length_unit;
+    const std::optional<double> radius = m_strategy.support_radius();
     const std::vector<Sector_share> shares =
-      radius > 0 ? m_ball.shares_within(corner, radius)
-                 : m_ball.shares_in_wedge(corner, local_feature_length(m_surface, corner));
+      radius ? m_ball.shares_within(corner, *radius / m_surface.length_unit)
+             : m_ball.shares_in_wedge(corner, local_feature_length(m_surface, corner));
     const std::vector<Receiver> receivers = receivers_among(m_surface, shares, m_bounds);
     return receivers.empty() ? nearest_receiver(m_surface, corner, m_bounds, m_distances) : receivers;
   }

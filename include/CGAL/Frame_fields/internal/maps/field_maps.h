@@ -97,14 +97,15 @@ template <typename CutMesh, typename ListSectors>
 void write_sectors(const CutMesh&, const ListSectors&, const CGAL::internal_np::Param_not_found) {}
 
 // Writes the field that the relaxation makes of `alpha`.
-template <typename CutMesh, typename AlphaMap, typename RhoMap>
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap>
 void write_relaxed_field(const CutMesh& cut_mesh, const std::vector<double>& alpha,
-                         const std::vector<Branch_rotations>& gamma, const AlphaMap alpha_map, const RhoMap rho_map)
+                         const std::vector<Branch_rotations>& gamma, const AlphaMap alpha_map,
+                         const SkewnessMap skewness_map)
 {
   for(std::size_t f = 0; f < alpha.size(); ++f)
   {
     put(alpha_map, cut_mesh.face_descriptors()[f], alpha[f] + gamma[f][0]);
-    put(rho_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
+    put(skewness_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
   }
 }
 

@@ -67,9 +67,9 @@ Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& 
 }
 
 template <typename CutMesh, typename FaceMap>
-Result read_skewness(const CutMesh& cut_mesh, const FaceMap rho_map, std::vector<double>& rho)
+Result read_skewness(const CutMesh& cut_mesh, const FaceMap skewness_map, std::vector<double>& rho)
 {
-  return read_from_faces(cut_mesh, "rho", rho_map, rho);
+  return read_from_faces(cut_mesh, "the skewness", skewness_map, rho);
 }
 
 template <typename CutMesh>
@@ -80,14 +80,14 @@ Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not
 }
 
 // Reads a field as it is.
-template <typename CutMesh, typename AlphaMap, typename RhoMap, typename MatchingMap>
-Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap>
+Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                   const MatchingMap matching_map, std::vector<double>& alpha, std::vector<double>& rho,
                   std::vector<int>& matching)
 {
   Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
   if(result)
-    result = read_skewness(cut_mesh, rho_map, rho);
+    result = read_skewness(cut_mesh, skewness_map, rho);
   if(result)
     result = read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
   return result;
@@ -95,8 +95,8 @@ Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMa
 
 // Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
 // field must be aligned there.
-template <typename CutMesh, typename AlphaMap, typename RhoMap>
-Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap>
+Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                             std::vector<double>& alpha)
 {
   const double tolerance = 1e-7;
@@ -108,7 +108,7 @@ Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, c
   std::vector<double> rho;
   Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
   if(result)
-    result = read_skewness(cut_mesh, rho_map, rho);
+    result = read_skewness(cut_mesh, skewness_map, rho);
   if(!result)
     return result;
 

@@ -41,12 +41,12 @@ namespace internal {
 // Between seamless maps in flat arrays and the caller's property maps and named parameters.
 
 // Reads the index of each sector, which must be that of the field.
-template <typename CutMesh, typename AlphaMap, typename RhoMap, typename IndexMap>
-Result read_indices(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap, typename IndexMap>
+Result read_indices(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                     const std::vector<int>& matching, const IndexMap index_map, std::vector<int>& index)
 {
   std::vector<double> unrelaxed_alpha;
-  Result result = read_unrelaxed_field(cut_mesh, alpha_map, rho_map, unrelaxed_alpha);
+  Result result = read_unrelaxed_field(cut_mesh, alpha_map, skewness_map, unrelaxed_alpha);
   if(result)
     result = to_result(cut_mesh, compute_indices<CGAL::Sequential_tag>(cut_mesh.surface(), unrelaxed_alpha, matching,
                                                                        index));

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -35,8 +36,9 @@ struct Streamline_options
   double maximum_length;
 };
 
-// The parameters in the unit of the mesh, `spacing` not positive for the default.
-inline Result set_streamline_options(const Face_charts& charts, const double spacing, const double separation,
+// The parameters are in the unit of the mesh.
+inline Result set_streamline_options(const Face_charts& charts, const std::optional<double>& spacing,
+                                     const double separation,
                                      const double maximum_length, Streamline_options& options)
 {
   const double largest_number_of_squares = 1e9;
@@ -44,9 +46,9 @@ inline Result set_streamline_options(const Face_charts& charts, const double spa
   // In units of the longest edge: what has hardly any area would have too many lines end on an edge.
   const double smallest_spacing = (std::max)(1e-6, std::sqrt(total_area / largest_number_of_squares));
 
-  options.spacing = spacing == 0 ? (std::max)(1e-3, std::sqrt(total_area) / 50) : spacing / charts.unit();
+  options.spacing = spacing ? *spacing / charts.unit() : (std::max)(1e-3, std::sqrt(total_area) / 50);
   if(!(options.spacing >= smallest_spacing && std::isfinite(options.spacing)))
-    return wrong_parameter("streamline_spacing", spacing,
+    return wrong_parameter("streamline_spacing", spacing.value_or(options.spacing * charts.unit()),
                            "finite and at least " + std::to_string(smallest_spacing * charts.unit()));
   if(!(separation >= 0 && separation <= 1))
     return wrong_parameter("streamline_separation", separation, "in [0, 1]");
@@ -63,7 +65,7 @@ Result streamline_options_from(const NamedParameters& np, const Face_charts& cha
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   return set_streamline_options(
-    charts, static_cast<double>(choose_parameter(get_parameter(np, internal::streamline_spacing), 0.)),
+    charts, choose_parameter(get_parameter(np, internal::streamline_spacing), std::optional<double>()),
     static_cast<double>(choose_parameter(get_parameter(np, internal::streamline_separation), 0.5)),
     static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_streamline_length),
                                          std::numeric_limits<double>::infinity())),

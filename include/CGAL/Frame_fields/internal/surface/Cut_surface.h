@@ -59,7 +59,7 @@ struct Cut_surface
   std::vector<double> total_angle;           // per sector
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
-  Edge_weighting edge_weighting = UNIFORM_WEIGHTS;
+  Edge_weighting edge_weighting = Edge_weighting::UNIFORM;
   std::vector<double> weight;                // per dual edge: w_ij
   double length_unit = 1;                    // a power of two near the size of the mesh: areas do not overflow then
   std::vector<double> length;                // per halfedge: its length in this unit; empty unless asked for

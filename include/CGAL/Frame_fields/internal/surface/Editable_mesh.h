@@ -12,13 +12,16 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -39,17 +42,16 @@ public:
   using Reader::Reader;
   using Reader::point;
 
-  // Throws if a face is not a triangle.
-  void check_triangles(const char* const function) const
+  Result check_triangles() const
   {
     std::size_t number = 0;
     for(const auto f : faces(m_mesh))
     {
       if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-        throw std::invalid_argument(std::string(function) + ": face " + std::to_string(number)
-                                    + " of faces(tm) is not a triangle");
+        return failure(ERROR_NON_TRIANGULAR_MESH, "face " + std::to_string(number) + " of faces(tm)");
       ++number;
     }
+    return {};
   }
 
   // Makes room for new elements, so that no allocation fails while the mesh is changed; as far as its class has this.

@@ -34,7 +34,7 @@ inline double height_over_length(const Cut_surface& surface, const int halfedge)
 
 inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
 {
-  if(weighting == UNIFORM_WEIGHTS)
+  if(weighting == Edge_weighting::UNIFORM)
     return 1;
   // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
   const double smallest = 1e-6, largest = 1e6;
@@ -49,7 +49,7 @@ inline double guide_weight(const Cut_surface& surface, const int face)
   if(surface.guide_weight.empty() || surface.guide_weight[face] == 0)
     return 0;
   double weight = surface.guide_weight[face];
-  if(surface.edge_weighting != UNIFORM_WEIGHTS)
+  if(surface.edge_weighting != Edge_weighting::UNIFORM)
     weight *= surface.length_unit * area(surface, face) / std::sqrt(3.) * surface.length_unit;
   // The edges have weights of about 1. A much larger weight would drown them, and holds the frame as it is.
   const double largest = 1e8;
