@@ -189,6 +189,18 @@ TYPED_TEST(Errors, parameter_out_of_range)
     expect_wrong("orthogonality_weight", good.cad_frame_field(np));
     expect_wrong("orthogonality_weight", FF::relax_frame_field(good.mesh, good.maps.alpha, good.maps.rho, np));
   }
+  for(const double length : { 0., -1., nan, infinity })
+  {
+    const auto np = parameters::orthogonality_length(length);
+    expect_wrong("orthogonality_length", good.cad_frame_field(np));
+    expect_wrong("orthogonality_length", FF::relax_frame_field(good.mesh, good.maps.alpha, good.maps.rho, np));
+  }
+  for(const double radius : { 0., -1., nan })
+  {
+    const auto np = parameters::support_strategy(Support_strategy::radius(radius));
+    expect_wrong("support_strategy", good.cad_frame_field(np));
+    expect_wrong("support_strategy", FF::prescribe_rotation(good.mesh, good.maps.omega, np));
+  }
 }
 
 // Every vertex of a strip is on the border, so above 180 degrees all of them are sharp corners.
