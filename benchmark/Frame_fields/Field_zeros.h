@@ -6,11 +6,10 @@
 #include "planar_meshes.h"
 
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
-#include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -38,10 +37,11 @@ public:
   {
     typedef CGAL::Named_function_parameters<T, Tag, Base> Pack;
     const internal::Options options = internal::options_from(np);
-    internal::Cut_mesh<Mesh, Pack> cut_mesh(mesh, np);
-    const CGAL::Frame_fields::Result result = internal::check_and_cut(options, cut_mesh);
+    internal::Stage_mesh<Mesh, Pack> stage_mesh(mesh, np);
+    const CGAL::Frame_fields::Result result = internal::check_and_cut(options, stage_mesh);
     if(!result)
       throw std::runtime_error(result.message);
+    const auto& cut_mesh = stage_mesh.cut_mesh();
     cut_mesh.for_each_halfedge([&](const Mesh::Halfedge_index h, const int i)
     {
       if(i >= 0)

@@ -209,8 +209,10 @@ struct Benchmark_model
     for(const auto& [first, second] : soup.features)
       is_feature[mesh.edge(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(first)),
                                          Mesh::Vertex_index(Mesh::size_type(second))))] = true;
-    CGAL::Frame_fields::split_overconstrained_faces(
+    const CGAL::Frame_fields::Result result = CGAL::Frame_fields::split_overconstrained_faces(
       mesh, CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature));
+    if(!result)
+      throw std::runtime_error(result.message);
     alpha = mesh.add_property_map<Mesh::Face_index, double>("f:alpha").first;
     rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
     index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;

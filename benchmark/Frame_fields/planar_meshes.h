@@ -64,7 +64,8 @@ inline Mesh mesh_of_marked_faces(const Triangulation& triangulation, const doubl
   for(const auto f : triangulation.finite_face_handles())
     if(f->is_in_domain())
       mesh.add_face(vertex(f->vertex(0)), vertex(f->vertex(1)), vertex(f->vertex(2)));
-  CGAL::Frame_fields::split_overconstrained_faces(mesh);
+  if(const CGAL::Frame_fields::Result result = CGAL::Frame_fields::split_overconstrained_faces(mesh); !result)
+    throw std::runtime_error(result.message);
   return mesh;
 }
 

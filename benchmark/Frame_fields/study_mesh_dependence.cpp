@@ -58,8 +58,9 @@ struct Settings
 std::vector<Settings> all_settings()
 {
   std::vector<Settings> result;
-  for(const auto& [weights_name, weighting] : { std::make_pair("uniform", Frame_fields::UNIFORM_WEIGHTS),
-                                                std::make_pair("geometric", Frame_fields::PRIMAL_OVER_DUAL_LENGTH) })
+  typedef Frame_fields::Edge_weighting Weighting;
+  for(const auto& [weights_name, weighting] : { std::make_pair("uniform", Weighting::UNIFORM),
+                                                std::make_pair("geometric", Weighting::PRIMAL_OVER_DUAL_LENGTH) })
   {
     result.push_back({ "rings(4)", weights_name, Support_strategy::rings(4), weighting });
     result.push_back({ "component()", weights_name, Support_strategy::component(), weighting });
@@ -144,7 +145,8 @@ public:
   Frame_fields::Field_quality quality() const
   {
     Frame_fields::Field_quality result;
-    check(Frame_fields::frame_field_quality(*m_mesh, m_alpha, m_rho, m_matching, result));
+    check(Frame_fields::frame_field_quality(*m_mesh, m_alpha, m_rho, m_matching,
+                                            Frame_fields::parameters::quality(std::ref(result))));
     return result;
   }
 

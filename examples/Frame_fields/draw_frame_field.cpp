@@ -75,8 +75,8 @@ int main(int argc, char* argv[])
   auto rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
-  FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
-  if(!FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature)))
+  const auto features = FF::parameters::edge_is_constrained_map(is_feature);
+  if(!FF::split_overconstrained_faces(mesh, features) || !FF::cad_frame_field(mesh, alpha, rho, index, features))
     return EXIT_FAILURE;
   show(mesh, alpha, rho);
 }

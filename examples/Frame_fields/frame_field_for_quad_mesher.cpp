@@ -77,9 +77,9 @@ int main(int argc, char* argv[])
   auto quarter_turns = mesh.add_property_map<Mesh::Halfedge_index, int>("h:quarter_turns").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
   const auto features = FF::parameters::edge_is_constrained_map(is_feature);
-  FF::split_overconstrained_faces(mesh, features);
   std::vector<FF::Singularity<Mesh::Halfedge_index> > singularities;
-  if(!FF::cad_frame_field(mesh, alpha, rho, index, features.matching_map(matching)) ||
+  if(!FF::split_overconstrained_faces(mesh, features) ||
+     !FF::cad_frame_field(mesh, alpha, rho, index, features.matching_map(matching)) ||
      !FF::comb_frame_field(mesh, matching, first_branch, quarter_turns, features) ||
      !FF::singularities(mesh, index, std::back_inserter(singularities), features))
     return EXIT_FAILURE;

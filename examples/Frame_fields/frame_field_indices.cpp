@@ -57,9 +57,9 @@ int main(int argc, char* argv[])
   auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
   const auto features = FF::parameters::edge_is_constrained_map(is_feature);
-  FF::split_overconstrained_faces(mesh, features);
   std::vector<FF::Singularity<Mesh::Halfedge_index> > singularities;
-  if(!FF::cad_frame_field(mesh, alpha, rho, index, features) ||
+  if(!FF::split_overconstrained_faces(mesh, features) ||
+     !FF::cad_frame_field(mesh, alpha, rho, index, features) ||
      !FF::singularities(mesh, index, std::back_inserter(singularities), features))
     return EXIT_FAILURE;
 

@@ -66,11 +66,12 @@ int main(int argc, char* argv[])
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
 
   const Listed_edges is_feature{ &mesh, &pairs }; // false for the edges that the split makes: their vertices are new
-  const std::size_t number_of_split_faces =
-    FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
-  const FF::Result result =
-    FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature));
-  std::cout << pairs.size() << " feature edges, " << number_of_split_faces << " faces split: "
+  const auto features = FF::parameters::edge_is_constrained_map(is_feature);
+  FF::Refinement_statistics statistics;
+  FF::Result result = FF::split_overconstrained_faces(mesh, features.statistics(std::ref(statistics)));
+  if(result)
+    result = FF::cad_frame_field(mesh, alpha, rho, index, features);
+  std::cout << pairs.size() << " feature edges, " << statistics.number_of_split_faces << " faces split: "
             << FF::get_error_message(result.error_code) << std::endl;
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -70,10 +70,12 @@ int main(int argc, char* argv[])
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
   FF::Statistics statistics;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
-  const auto features = FF::parameters::edge_is_constrained_map(is_feature).statistics(std::ref(statistics));
-  FF::split_overconstrained_faces(mesh, features);
-  const FF::Result result =
-    FF::cad_frame_field(mesh, alpha, rho, index, features.sparse_linear_solver(Iterative_solver_traits()));
+  const auto features = FF::parameters::edge_is_constrained_map(is_feature);
+  FF::Result result = FF::split_overconstrained_faces(mesh, features);
+  if(result)
+    result = FF::cad_frame_field(mesh, alpha, rho, index,
+                                 features.sparse_linear_solver(Iterative_solver_traits())
+                                         .statistics(std::ref(statistics)));
   std::cout << FF::get_error_message(result.error_code) << ": energy " << statistics.energy_relaxed << std::endl;
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }

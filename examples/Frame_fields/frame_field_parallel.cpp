@@ -28,15 +28,15 @@ int main(int argc, char* argv[])
   auto rho = mesh.add_property_map<Mesh::Face_index, double>("f:rho").first;
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
-  FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
+  const auto features = FF::parameters::edge_is_constrained_map(is_feature);
 
   // Patches are solved in parallel if TBB was found, and one after the other otherwise, with the same result.
   FF::Statistics statistics;
-  const FF::Result result =
-    FF::cad_frame_field(mesh, alpha, rho, index,
-                        FF::parameters::edge_is_constrained_map(is_feature)
-                                       .concurrency_tag(CGAL::Parallel_if_available_tag())
-                                       .statistics(std::ref(statistics)));
+  FF::Result result = FF::split_overconstrained_faces(mesh, features);
+  if(result)
+    result = FF::cad_frame_field(mesh, alpha, rho, index,
+                                 features.concurrency_tag(CGAL::Parallel_if_available_tag())
+                                         .statistics(std::ref(statistics)));
   if(!result)
   {
     std::cerr << filename << ": " << result.message << std::endl;

@@ -40,29 +40,32 @@ try
   PMP::detect_sharp_edges(mesh, 40, is_feature);
   const auto features = FF::parameters::edge_is_constrained_map(is_feature);
 
-  std::cout << FF::split_overconstrained_faces(mesh, features) << " faces split" << std::endl;
+  check(FF::split_overconstrained_faces(mesh, features));
+  // Cut once: each function also takes the mesh, and cuts it then.
+  const FF::Cut_triangle_mesh cut(mesh, features);
 
   std::vector<Mesh::Halfedge_index> sharp_corners;
-  check(FF::sharp_corners(mesh, std::back_inserter(sharp_corners), features));
+  check(FF::sharp_corners(cut, std::back_inserter(sharp_corners)));
   std::cout << sharp_corners.size() << " sharp corners" << std::endl;
 
   // omega: what the field shall turn by across each edge. Other rotations may be written here.
-  check(FF::prescribe_rotation(mesh, omega, features));
+  check(FF::prescribe_rotation(cut, omega));
   const auto edges_that_turn = std::count_if(mesh.edges().begin(), mesh.edges().end(), [&](const Mesh::Edge_index e)
                                              { return omega[mesh.halfedge(e)] != 0; });
   std::cout << edges_that_turn << " edges with a prescribed rotation" << std::endl;
 
   // alpha: one angle per face. The matching has to be kept: omega took part in it, alpha alone does not tell it.
-  check(FF::orthogonal_frame_field(mesh, alpha, features.prescribed_rotation_map(omega).matching_map(matching)));
+  check(FF::orthogonal_frame_field(cut, alpha,
+                                   FF::parameters::prescribed_rotation_map(omega).matching_map(matching)));
 
   // index: the place to look at the singularities, and to change omega and go back if they do not suit.
-  check(FF::singularity_indices(mesh, alpha, matching, index, features));
+  check(FF::singularity_indices(cut, alpha, matching, index));
   std::vector<FF::Singularity<Mesh::Halfedge_index> > singularities;
-  check(FF::singularities(mesh, index, std::back_inserter(singularities), features));
+  check(FF::singularities(cut, index, std::back_inserter(singularities)));
   std::cout << singularities.size() << " singular sectors" << std::endl;
 
   // alpha and rho: the frames lean, the matching and the indices stay.
-  check(FF::relax_frame_field(mesh, alpha, rho, features.matching_map(matching)));
+  check(FF::relax_frame_field(cut, alpha, rho, FF::parameters::matching_map(matching)));
   double largest_skewness = 0;
   for(const Mesh::Face_index f : mesh.faces())
     largest_skewness = (std::max)(largest_skewness, std::abs(rho[f]));

@@ -53,10 +53,11 @@ int main(int argc, char* argv[])
   auto matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
   PMP::detect_sharp_edges(mesh, 40, is_feature);
   const auto features = FF::parameters::edge_is_constrained_map(is_feature);
-  FF::split_overconstrained_faces(mesh, features);
 
   std::vector<Streamline> streamlines;
-  FF::Result result = FF::cad_frame_field(mesh, alpha, rho, index, features.matching_map(matching));
+  FF::Result result = FF::split_overconstrained_faces(mesh, features);
+  if(result)
+    result = FF::cad_frame_field(mesh, alpha, rho, index, features.matching_map(matching));
   if(result)
     result = FF::trace_streamlines(mesh, alpha, rho, matching, std::back_inserter(streamlines), features);
   if(!result)

@@ -29,9 +29,9 @@ int main(int argc, char* argv[])
   auto index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:index").first;
 
   PMP::detect_sharp_edges(mesh, 40, is_feature);
-  FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
-  const FF::Result result =
-    FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature));
+  FF::Result result = FF::split_overconstrained_faces(mesh, FF::parameters::edge_is_constrained_map(is_feature));
+  if(result)
+    result = FF::cad_frame_field(mesh, alpha, rho, index, FF::parameters::edge_is_constrained_map(is_feature));
   if(!result)
   {
     std::cerr << filename << ": " << result.message << std::endl;

@@ -15,6 +15,7 @@
 /// \file Frame_fields.h
 /// includes all functions of this package.
 
+#include <CGAL/Frame_fields/Cut_triangle_mesh.h>
 #include <CGAL/Frame_fields/Edge_weighting.h>
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>

@@ -3,6 +3,7 @@
 
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <algorithm>
 #include <array>

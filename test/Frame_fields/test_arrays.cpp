@@ -5,6 +5,7 @@
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/internal/field/Hub_rings.h>
+#include <CGAL/Frame_fields/internal/field/local_feature_length.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
@@ -17,10 +18,12 @@
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_ball.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
+#include <CGAL/Frame_fields/internal/surface/Sector_rings.h>
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
 #include <CGAL/Frame_fields/internal/surface/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
+#include <CGAL/Frame_fields/internal/surface/weights.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
@@ -52,7 +55,7 @@ struct Test_surface : Cut_surface
   std::vector<int> vertex; // per halfedge: at its target
 
   Test_surface(const Points& points, const Triangles& triangles,
-               const FF::Edge_weighting weighting = FF::UNIFORM_WEIGHTS)
+               const FF::Edge_weighting weighting = FF::Edge_weighting::UNIFORM)
   {
     std::map<std::pair<int, int>, int> halfedge_between;
     for(const std::array<int, 3>& t : triangles)
@@ -89,7 +92,7 @@ struct Test_surface : Cut_surface
 // The image of a grid of m x n cells; vertex i + j (m + 1) is at (i, j).
 template <typename Position>
 Test_surface grid(const int m, const int n, const Position& position,
-                  const FF::Edge_weighting weighting = FF::UNIFORM_WEIGHTS)
+                  const FF::Edge_weighting weighting = FF::Edge_weighting::UNIFORM)
 {
   Points points;
   Triangles triangles;
@@ -219,7 +222,7 @@ TEST(Repair, moves_indices_at_least_cost_and_makes_sharp_corners_natural)
   std::size_t number_of_changes = 0;
   for(int i = 0; i < 40; ++i)
   {
-    const auto weighting = i % 2 == 0 ? FF::UNIFORM_WEIGHTS : FF::PRIMAL_OVER_DUAL_LENGTH;
+    const auto weighting = i % 2 == 0 ? FF::Edge_weighting::UNIFORM : FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH;
     const Test_surface surface = random_star(generator, 3 + i % 9, weighting);
     std::vector<int> index;
     number_of_changes += expect_cheapest_matching(surface, weighting, generator, index);
@@ -240,7 +243,7 @@ TEST(Index_targets, are_met_at_least_cost)
   std::mt19937 generator(16);
   for(int i = 0; i < 20; ++i)
   {
-    const auto weighting = i % 2 == 0 ? FF::UNIFORM_WEIGHTS : FF::PRIMAL_OVER_DUAL_LENGTH;
+    const auto weighting = i % 2 == 0 ? FF::Edge_weighting::UNIFORM : FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH;
     Test_surface surface = random_star(generator, 3 + i % 9, weighting);
     surface.index_target.assign(surface.number_of_sectors(), FF::NO_INDEX_TARGET);
     int& target = surface.index_target[surface.sector_of(0)];
@@ -265,7 +268,7 @@ TEST(Edge_weight, is_1_between_equilateral_triangles)
 {
   const double h = std::sqrt(3.) / 2;
   const Test_surface surface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, h, 0 }, { 0.5, -h, 0 } },
-                             { { { 0, 1, 2 } }, { { 1, 0, 3 } } }, FF::PRIMAL_OVER_DUAL_LENGTH);
+                             { { { 0, 1, 2 } }, { { 1, 0, 3 } } }, FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
   ASSERT_EQ(1u, surface.weight.size());
   EXPECT_NEAR(1, surface.weight[0], 1e-12);
 }
@@ -275,10 +278,10 @@ TEST(Guide_weight, is_an_integral_with_geometric_weights)
   for(const double size : { 1., 3. })
   {
     Test_surface surface({ { 0, 0, 0 }, { size, 0, 0 }, { 0, size, 0 } }, { { { 0, 1, 2 } } },
-                         FF::PRIMAL_OVER_DUAL_LENGTH);
+                         FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
     surface.guide_weight = { 0.7 };
     EXPECT_NEAR(0.7 * size * size / 2 / std::sqrt(3.), guide_weight(surface, 0), 1e-12);
-    surface.edge_weighting = FF::UNIFORM_WEIGHTS;
+    surface.edge_weighting = FF::Edge_weighting::UNIFORM;
     EXPECT_EQ(0.7, guide_weight(surface, 0));
   }
 }
@@ -286,8 +289,8 @@ TEST(Guide_weight, is_an_integral_with_geometric_weights)
 TEST(Orthogonality_length, is_a_quarter_of_the_square_root_of_the_area_by_default)
 {
   const Test_surface surface = grid(2, 2, [](const int i, const int j) -> Coordinates { return { 3. * i, 2. * j, 0 }; },
-                                    FF::PRIMAL_OVER_DUAL_LENGTH);
-  const Options options = options_with(FF::PRIMAL_OVER_DUAL_LENGTH);
+                                    FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
+  const Options options = options_with(FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
   const double length = std::sqrt(24.) / 4, face_area = 3;
   EXPECT_NEAR(face_area / (std::sqrt(3.) * length * length),
               Orthogonality(surface, surface.patches[0], options).weight(0), 1e-12);

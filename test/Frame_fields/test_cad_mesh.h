@@ -7,6 +7,7 @@
 #include <CGAL/Frame_fields/cad_frame_field.h>
 #include <CGAL/Frame_fields/frame_vectors.h>
 #include <CGAL/Frame_fields/parameters.h>
+#include <CGAL/Frame_fields/split_chords.h>
 #include <CGAL/Frame_fields/split_overconstrained_faces.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -120,7 +121,7 @@ struct Cad_mesh : Mesh_of_model<MeshType>
       put(is_feature, e, segments.count(segment(point(source(e, mesh)), point(target(e, mesh)))) > 0);
     if constexpr(Base::is_editable)
       if(splits_overconstrained_faces)
-        FF::split_overconstrained_faces(mesh, features());
+        EXPECT_TRUE(FF::split_overconstrained_faces(mesh, features()));
   }
 
   Cad_mesh(const Cad_mesh&) = delete;
@@ -179,6 +180,24 @@ struct Cad_mesh : Mesh_of_model<MeshType>
     return result;
   }
 };
+
+// The number of faces that are split.
+template <typename CadMesh>
+std::size_t split_overconstrained_faces(CadMesh& cad_mesh)
+{
+  FF::Refinement_statistics statistics;
+  EXPECT_TRUE(FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features().statistics(std::ref(statistics))));
+  return statistics.number_of_split_faces;
+}
+
+// The number of edges that are split.
+template <typename CadMesh>
+std::size_t split_chords(CadMesh& cad_mesh)
+{
+  FF::Refinement_statistics statistics;
+  EXPECT_TRUE(FF::split_chords(cad_mesh.mesh, cad_mesh.features().statistics(std::ref(statistics))));
+  return statistics.number_of_splits;
+}
 
 // The output maps of all functions.
 template <typename Mesh>

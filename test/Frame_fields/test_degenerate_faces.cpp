@@ -60,7 +60,7 @@ std::vector<Model> well_meshed_models()
 template <typename Check>
 void for_each_way(const Check& check)
 {
-  for(const FF::Edge_weighting weighting : { FF::UNIFORM_WEIGHTS, FF::PRIMAL_OVER_DUAL_LENGTH })
+  for(const FF::Edge_weighting weighting : { FF::Edge_weighting::UNIFORM, FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH })
     for(const Support_strategy& strategy : { Support_strategy::rings(4), Support_strategy::component(),
                                              Support_strategy::radius() })
     {
@@ -142,7 +142,7 @@ std::map<Point, std::multiset<int> > constrained_indices(const Model& model)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(model);
   const Cut cut = cad_mesh.cut();
-  const Field field = frame_field(cad_mesh, parameters::edge_weighting(FF::PRIMAL_OVER_DUAL_LENGTH)
+  const Field field = frame_field(cad_mesh, parameters::edge_weighting(FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH)
                                                        .support_strategy(Support_strategy::radius()));
   std::map<Point, std::multiset<int> > result;
   std::vector<char> is_seen(cut.number_of_sectors(), false);

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace test;
+using parameters::strong_angle_in_degrees;
 
 typedef std::set<std::pair<Point, Point> > Segments;
 
@@ -99,27 +100,27 @@ TYPED_TEST_SUITE(Feature_detection, Mesh_classes, Mesh_class_names);
 TYPED_TEST(Feature_detection, follows_a_crease_that_fades_out)
 {
   const Cad_mesh<TypeParam> cad_mesh(roof({ 80, 70, 60, 50, 40, 30, 20, 10, 0 }), false);
-  EXPECT_EQ(ridge(0, 4), detected(cad_mesh, parameters::strong_angle(40)));
-  EXPECT_EQ(ridge(0, 6), detected(cad_mesh, parameters::strong_angle(40).weak_angle(20)));
+  EXPECT_EQ(ridge(0, 4), detected(cad_mesh, strong_angle_in_degrees(40)));
+  EXPECT_EQ(ridge(0, 6), detected(cad_mesh, strong_angle_in_degrees(40).weak_angle_in_degrees(20)));
 }
 
 TYPED_TEST(Feature_detection, does_not_take_a_crease_that_is_weak_all_along)
 {
   const Cad_mesh<TypeParam> cad_mesh(roof(std::vector<double>(9, 30)), false);
-  EXPECT_EQ(Segments(), detected(cad_mesh, parameters::strong_angle(40).weak_angle(20)));
-  EXPECT_EQ(ridge(0, 8), detected(cad_mesh, parameters::strong_angle(29)));
+  EXPECT_EQ(Segments(), detected(cad_mesh, strong_angle_in_degrees(40).weak_angle_in_degrees(20)));
+  EXPECT_EQ(ridge(0, 8), detected(cad_mesh, strong_angle_in_degrees(29)));
 }
 
 TYPED_TEST(Feature_detection, closes_gaps_of_one_edge_only)
 {
   const double high = 24, low = 14; // degrees, and 19 between them
   const Cad_mesh<TypeParam> gap_of_one(roof({ high, high, high, low, low, high, high, high }), false);
-  EXPECT_EQ(join(ridge(0, 3), ridge(4, 7)), detected(gap_of_one, parameters::strong_angle(18)));
-  EXPECT_EQ(ridge(0, 7), detected(gap_of_one, parameters::strong_angle(18).close_gaps(true)));
+  EXPECT_EQ(join(ridge(0, 3), ridge(4, 7)), detected(gap_of_one, strong_angle_in_degrees(18)));
+  EXPECT_EQ(ridge(0, 7), detected(gap_of_one, strong_angle_in_degrees(18).close_gaps(true)));
 
   const Cad_mesh<TypeParam> gap_of_two(roof({ high, high, high, low, low, low, high, high, high }), false);
   EXPECT_EQ(join(ridge(0, 3), ridge(5, 8)),
-            detected(gap_of_two, parameters::strong_angle(18).close_gaps(true)));
+            detected(gap_of_two, strong_angle_in_degrees(18).close_gaps(true)));
 }
 
 TYPED_TEST(Feature_detection, removes_a_dangling_chain_shorter_than_the_minimum)
@@ -127,10 +128,10 @@ TYPED_TEST(Feature_detection, removes_a_dangling_chain_shorter_than_the_minimum)
   const double high = 24, low = 14; // degrees, and 19 between them
   const Cad_mesh<TypeParam> cad_mesh(roof({ high, high, high, low, low, low, low, high, low, low, low }), false);
   const Segments from_border = ridge(0, 3), island = ridge(6, 8);
-  EXPECT_EQ(join(from_border, island), detected(cad_mesh, parameters::strong_angle(18)));
-  EXPECT_EQ(join(from_border, island), detected(cad_mesh, parameters::strong_angle(18).minimum_chain_length(199)));
-  EXPECT_EQ(from_border, detected(cad_mesh, parameters::strong_angle(18).minimum_chain_length(201)));
-  EXPECT_EQ(Segments(), detected(cad_mesh, parameters::strong_angle(18).minimum_chain_length(301)));
+  EXPECT_EQ(join(from_border, island), detected(cad_mesh, strong_angle_in_degrees(18)));
+  EXPECT_EQ(join(from_border, island), detected(cad_mesh, strong_angle_in_degrees(18).minimum_chain_length(199)));
+  EXPECT_EQ(from_border, detected(cad_mesh, strong_angle_in_degrees(18).minimum_chain_length(201)));
+  EXPECT_EQ(Segments(), detected(cad_mesh, strong_angle_in_degrees(18).minimum_chain_length(301)));
 }
 
 TYPED_TEST(Feature_detection, keeps_the_long_chain_and_removes_the_spur_on_it)
@@ -144,8 +145,8 @@ TYPED_TEST(Feature_detection, keeps_the_long_chain_and_removes_the_spur_on_it)
   });
   const Cad_mesh<TypeParam> cad_mesh(model, false);
   const auto is_on_ridge = [](const std::pair<Point, Point>& s) { return s.first.x() == 0 && s.second.x() == 0; };
-  const Segments with_spur = detected(cad_mesh, parameters::strong_angle(40));
-  const Segments without = detected(cad_mesh, parameters::strong_angle(40).minimum_chain_length(0.9));
+  const Segments with_spur = detected(cad_mesh, strong_angle_in_degrees(40));
+  const Segments without = detected(cad_mesh, strong_angle_in_degrees(40).minimum_chain_length(0.9));
   EXPECT_FALSE(std::all_of(with_spur.begin(), with_spur.end(), is_on_ridge));
   EXPECT_EQ(10u, std::count_if(without.begin(), without.end(), is_on_ridge));
 }
@@ -153,7 +154,7 @@ TYPED_TEST(Feature_detection, keeps_the_long_chain_and_removes_the_spur_on_it)
 TYPED_TEST(Feature_detection, removes_no_boundary_of_a_patch)
 {
   const Cad_mesh<TypeParam> cad_mesh(cube(), false);
-  const Segments all_edges = detected(cad_mesh, parameters::strong_angle(40));
+  const Segments all_edges = detected(cad_mesh, strong_angle_in_degrees(40));
   EXPECT_EQ(12u, all_edges.size());
   EXPECT_EQ(all_edges, detected(cad_mesh, parameters::minimum_chain_length(std::numeric_limits<double>::infinity())));
 }
@@ -165,11 +166,11 @@ TYPED_TEST(Feature_detection, removes_a_closed_chain_that_meets_no_other)
     return Point((1 + v) * std::cos(360 * degree * u), (1 + v) * std::sin(360 * degree * u), -std::abs(v - 0.5));
   });
   const Cad_mesh<TypeParam> cad_mesh(round_roof, false);
-  const Segments ridge = detected(cad_mesh, parameters::strong_angle(40));
+  const Segments ridge = detected(cad_mesh, strong_angle_in_degrees(40));
   EXPECT_EQ(24u, ridge.size());
   const double length = 24 * 2 * 1.5 * std::sin(7.5 * degree);
-  EXPECT_EQ(ridge, detected(cad_mesh, parameters::strong_angle(40).minimum_chain_length(0.999 * length)));
-  EXPECT_EQ(Segments(), detected(cad_mesh, parameters::strong_angle(40).minimum_chain_length(1.001 * length)));
+  EXPECT_EQ(ridge, detected(cad_mesh, strong_angle_in_degrees(40).minimum_chain_length(0.999 * length)));
+  EXPECT_EQ(Segments(), detected(cad_mesh, strong_angle_in_degrees(40).minimum_chain_length(1.001 * length)));
 }
 
 // A graph of edges in the plane, the first ones of which are features.
@@ -233,7 +234,7 @@ TYPED_TEST(Feature_detection, does_not_depend_on_the_unit_of_length)
   {
     const Cad_mesh<TypeParam> cad_mesh(transformed(cube(), [&](const Point& p)
       { return Point(scale * p.x(), scale * p.y(), scale * p.z()); }), false);
-    EXPECT_EQ(12u, detected(cad_mesh, parameters::strong_angle(40)).size()) << scale;
+    EXPECT_EQ(12u, detected(cad_mesh, strong_angle_in_degrees(40)).size()) << scale;
   }
 }
 
@@ -243,7 +244,7 @@ TYPED_TEST(Feature_detection, sees_a_crease_through_a_face_without_area)
   const Model model{ { a, b, middle, left, right },
                      { { { 0, 1, 3 } }, { { 0, 2, 1 } }, { { 0, 4, 2 } }, { { 2, 4, 1 } } }, {} };
   const Cad_mesh<TypeParam> cad_mesh(model, false);
-  EXPECT_EQ((Segments{ segment(a, middle), segment(middle, b) }), detected(cad_mesh, parameters::strong_angle(40)));
+  EXPECT_EQ((Segments{ segment(a, middle), segment(middle, b) }), detected(cad_mesh, strong_angle_in_degrees(40)));
 }
 
 // A plate of size 100 and thickness 5 with a hole of many facets, from whose rims needles run to the corners; turned,
@@ -296,7 +297,7 @@ TEST(Flat_face, makes_no_feature_where_coordinates_are_rounded)
     for(const double shift : { 0., 1e4, 1e5 })
     {
       const Cad_mesh<Surface_mesh> cad_mesh(rounded_plate_with_hole(radius, 2000, shift), false);
-      EXPECT_EQ(12u + 2 * 2000, detected(cad_mesh, parameters::strong_angle(40)).size()) << radius << ' ' << shift;
+      EXPECT_EQ(12u + 2 * 2000, detected(cad_mesh, strong_angle_in_degrees(40)).size()) << radius << ' ' << shift;
     }
   // Otherwise the needles would count, and this test would tell nothing.
   const Cad_mesh<Surface_mesh> noisy(rounded_plate_with_hole(5, 2000, 1e5), false);
@@ -314,8 +315,8 @@ TEST(Flat_face, has_a_normal_if_coordinates_are_exact)
   };
   EXPECT_EQ(0u, detected(crease(1e-17), parameters::coordinate_error(0)).size());
   EXPECT_EQ(3u, detected(crease(1e-9), parameters::coordinate_error(0)).size());
-  EXPECT_EQ(0u, detected(crease(1e-9), parameters::strong_angle(40)).size());
-  EXPECT_EQ(3u, detected(crease(1e-3), parameters::strong_angle(40)).size());
+  EXPECT_EQ(0u, detected(crease(1e-9), strong_angle_in_degrees(40)).size());
+  EXPECT_EQ(3u, detected(crease(1e-3), strong_angle_in_degrees(40)).size());
   EXPECT_EQ(0u, detected(crease(1e-3), parameters::coordinate_error(1e-3)).size());
 }
 
@@ -324,7 +325,7 @@ TYPED_TEST(Feature_detection, does_not_read_isolated_vertices)
   Cad_mesh<TypeParam> cad_mesh(cube(), false);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   put(get(CGAL::vertex_point, cad_mesh.mesh), add_vertex(cad_mesh.mesh), Point(0, nan, 0));
-  EXPECT_EQ(12u, detected(cad_mesh, parameters::strong_angle(40)).size());
+  EXPECT_EQ(12u, detected(cad_mesh, strong_angle_in_degrees(40)).size());
   TypeParam empty;
   EXPECT_EQ(FF::ERROR_EMPTY_MESH,
             FF::detect_feature_edges(empty, get(CGAL::dynamic_edge_property_t<bool>(), empty)).error_code);
@@ -344,19 +345,19 @@ TYPED_TEST(Feature_detection, refuses_what_it_cannot_read_and_writes_nothing)
   };
   Cad_mesh<TypeParam> cad_mesh(square(2), false);
   for(const double angle : { nan, -1., 181. })
-    expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::strong_angle(angle));
+    expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, strong_angle_in_degrees(angle));
   for(const double angle : { nan, -1., 41. })
-    expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::strong_angle(40).weak_angle(angle));
+    expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, strong_angle_in_degrees(40).weak_angle_in_degrees(angle));
   for(const double length : { nan, -1. })
     expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::minimum_chain_length(length));
   expect_error(FF::ERROR_WRONG_PARAMETER, cad_mesh.mesh, parameters::coordinate_error(-1e-9));
 
   put(get(CGAL::vertex_point, cad_mesh.mesh), *vertices(cad_mesh.mesh).begin(), Point(0, nan, 0));
-  expect_error(FF::ERROR_NON_FINITE_COORDINATE, cad_mesh.mesh, parameters::strong_angle(40));
+  expect_error(FF::ERROR_NON_FINITE_COORDINATE, cad_mesh.mesh, strong_angle_in_degrees(40));
 
   TypeParam quadrangle;
   CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), quadrangle);
-  expect_error(FF::ERROR_NON_TRIANGULAR_MESH, quadrangle, parameters::strong_angle(40));
+  expect_error(FF::ERROR_NON_TRIANGULAR_MESH, quadrangle, strong_angle_in_degrees(40));
 }
 
 TYPED_TEST(Feature_detection, lists_dangling_ends)
@@ -380,7 +381,8 @@ TEST_P(Feature_detection_on_models, with_one_angle_is_that_of_cgal)
   const auto expected = get(CGAL::dynamic_edge_property_t<bool>(), cad_mesh.mesh);
   CGAL::Polygon_mesh_processing::detect_sharp_edges(cad_mesh.mesh, 40.01, expected);
   const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), cad_mesh.mesh);
-  ASSERT_TRUE(FF::detect_feature_edges(cad_mesh.mesh, is_feature, parameters::strong_angle(40.01).coordinate_error(0)));
+  ASSERT_TRUE(FF::detect_feature_edges(cad_mesh.mesh, is_feature,
+                                       strong_angle_in_degrees(40.01).coordinate_error(0)));
   for(const auto e : edges(cad_mesh.mesh))
     EXPECT_EQ(get(expected, e), get(is_feature, e)) << e;
 }
@@ -391,7 +393,7 @@ TEST_P(Feature_detection_on_models, with_two_angles_takes_what_is_connected_with
   const Surface_mesh& mesh = cad_mesh.mesh;
   const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   ASSERT_TRUE(FF::detect_feature_edges(
-    mesh, is_feature, parameters::strong_angle(40.01).weak_angle(20.01).coordinate_error(0)));
+    mesh, is_feature, strong_angle_in_degrees(40.01).weak_angle_in_degrees(20.01).coordinate_error(0)));
 
   std::map<Surface_mesh::Vertex_index, Surface_mesh::Vertex_index> parent; // of a forest of connected vertices
   const auto root = [&](Surface_mesh::Vertex_index v)

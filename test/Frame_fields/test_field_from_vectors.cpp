@@ -46,7 +46,7 @@ struct Copied_field
   {
     return FF::frame_field_from_vectors(cad_mesh.mesh, boost::make_assoc_property_map(u),
                                         boost::make_assoc_property_map(v), copy.alpha, copy.rho, copy.matching,
-                                        maximum_misalignment, cad_mesh.features());
+                                        cad_mesh.features().maximum_misalignment(std::ref(maximum_misalignment)));
   }
 
   FF::Result compute_indices()

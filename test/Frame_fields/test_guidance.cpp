@@ -198,7 +198,7 @@ TYPED_TEST(Guidance, infinite_weight_keeps_a_branch_along_the_direction)
 TYPED_TEST(Guidance, larger_weights_bring_the_field_nearer)
 {
   const Cad_mesh<TypeParam> cad_mesh(transformed(sphere(), on_ellipsoid));
-  for(const FF::Edge_weighting weighting : { FF::UNIFORM_WEIGHTS, FF::PRIMAL_OVER_DUAL_LENGTH })
+  for(const FF::Edge_weighting weighting : { FF::Edge_weighting::UNIFORM, FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH })
     for(const bool is_relaxed : { false, true })
     {
       double last = 45 * degree;

@@ -218,10 +218,10 @@ TYPED_TEST_P(Every_mesh_type, takes_maps_of_vectors)
   std::vector<double> alpha(number_of_faces), rho(number_of_faces);
   std::vector<int> index(number_of_halfedges);
   const auto alpha_map = boost::make_iterator_property_map(alpha.begin(), face_number);
-  const auto rho_map = boost::make_iterator_property_map(rho.begin(), face_number);
+  const auto skewness_map = boost::make_iterator_property_map(rho.begin(), face_number);
   const auto index_map = boost::make_iterator_property_map(index.begin(), halfedge_number);
-  ASSERT_TRUE(FF::cad_frame_field(mesh, alpha_map, rho_map, index_map, this->cad_mesh.features()));
-  this->expect_field(alpha_map, rho_map, index_map);
+  ASSERT_TRUE(FF::cad_frame_field(mesh, alpha_map, skewness_map, index_map, this->cad_mesh.features()));
+  this->expect_field(alpha_map, skewness_map, index_map);
 }
 
 TYPED_TEST_P(Every_mesh_type, takes_functions_for_constrained_edges)
@@ -271,17 +271,17 @@ TYPED_TEST_P(Every_editable_mesh_type, splits_overconstrained_faces_at_their_cen
   Model triangle = single_triangle();
   triangle.points = { Point(0, 0, 0), Point(3, 0, 0), Point(0, 3, 0) };
   Cad_mesh<TypeParam> cad_mesh(triangle, false);
-  EXPECT_EQ(1u, FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features()));
+  EXPECT_EQ(1u, split_overconstrained_faces(cad_mesh));
   const std::vector<Point> expected = { Point(0, 0, 0), Point(0, 3, 0), Point(1, 1, 0), Point(3, 0, 0) };
   EXPECT_EQ(expected, this->sorted_points(cad_mesh));
   this->expect_triangle_mesh(cad_mesh, 3);
-  EXPECT_EQ(0u, FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features()));
+  EXPECT_EQ(0u, split_overconstrained_faces(cad_mesh));
 }
 
 TYPED_TEST_P(Every_editable_mesh_type, splits_overconstrained_faces_of_closed_surfaces)
 {
   Cad_mesh<TypeParam> cad_mesh(cube(), false);
-  EXPECT_EQ(12u, FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features()));
+  EXPECT_EQ(12u, split_overconstrained_faces(cad_mesh));
   this->expect_triangle_mesh(cad_mesh, 36);
   expect_valid_field(cad_mesh.cut(), frame_field(cad_mesh));
 }
@@ -302,12 +302,12 @@ TYPED_TEST_P(Every_editable_mesh_type, splits_chords_at_their_midpoints)
     }
   std::sort(expected.begin(), expected.end());
 
-  EXPECT_EQ(number_of_chords, FF::split_chords(cad_mesh.mesh, cad_mesh.features()));
+  EXPECT_EQ(number_of_chords, split_chords(cad_mesh));
   EXPECT_GT(number_of_chords, 0u);
   EXPECT_EQ(expected, this->sorted_points(cad_mesh));
   this->expect_triangle_mesh(cad_mesh, before.number_of_faces() + 2 * number_of_chords);
-  EXPECT_EQ(0u, FF::split_chords(cad_mesh.mesh, cad_mesh.features()));
-  FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features());
+  EXPECT_EQ(0u, split_chords(cad_mesh));
+  split_overconstrained_faces(cad_mesh);
   expect_valid_field(cad_mesh.cut(), frame_field(cad_mesh));
 }
 

@@ -251,8 +251,9 @@ TYPED_TEST(Parameters, let_a_visitor_follow_the_stages)
 {
   Stage_recorder recorder;
   frame_field(this->cad_mesh, parameters::visitor(std::ref(recorder)));
-  EXPECT_EQ((std::vector<FF::Stage>{ FF::CUT_SURFACE, FF::PRESCRIBED_ROTATION, FF::ORTHOGONAL_FIELD,
-                                     FF::MATCHING_AND_INDICES, FF::RELAXATION }), recorder.stages);
+  EXPECT_EQ((std::vector<FF::Stage>{ FF::Stage::CUT_SURFACE, FF::Stage::PRESCRIBED_ROTATION,
+                                     FF::Stage::ORTHOGONAL_FIELD, FF::Stage::MATCHING_AND_INDICES,
+                                     FF::Stage::RELAXATION }), recorder.stages);
   recorder.stages.clear();
   frame_field(this->cad_mesh, parameters::visitor(recorder)); // a copy is called
   EXPECT_TRUE(recorder.stages.empty());

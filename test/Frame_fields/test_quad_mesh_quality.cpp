@@ -61,7 +61,7 @@ TEST(Quad_mesh_quality, cube_with_and_without_its_features)
   {
     const Cube cube(4, side);
     FF::Quad_quality quality;
-    ASSERT_TRUE(FF::quad_mesh_quality(cube.mesh, quality));
+    ASSERT_TRUE(FF::quad_mesh_quality(cube.mesh, FF::parameters::quality(std::ref(quality))));
     EXPECT_EQ(quality.number_of_quads, 96u);
     EXPECT_EQ(quality.number_of_other_faces, 0u);
     EXPECT_NEAR(quality.minimum_scaled_jacobian, 1, 1e-15);
@@ -71,8 +71,8 @@ TEST(Quad_mesh_quality, cube_with_and_without_its_features)
     EXPECT_NEAR(quality.minimum_edge_length, side / 4, 1e-15 * side);
     EXPECT_NEAR(quality.mean_edge_length, side / 4, 1e-15 * side);
     EXPECT_NEAR(quality.maximum_edge_length, side / 4, 1e-15 * side);
-    ASSERT_TRUE(FF::quad_mesh_quality(cube.mesh, quality,
-                                      CGAL::parameters::edge_is_constrained_map(cube.features)));
+    ASSERT_TRUE(FF::quad_mesh_quality(
+      cube.mesh, FF::parameters::edge_is_constrained_map(cube.features).quality(std::ref(quality))));
     EXPECT_EQ(quality.number_of_irregular_vertices, 0u);
     EXPECT_EQ(quality.number_of_irregular_sectors, 0u);
   }
@@ -89,7 +89,7 @@ TEST(Quad_mesh_quality, bad_quads_and_other_faces)
   mesh.add_face(b, e, c);
   mesh.add_face(c, e, d);
   FF::Quad_quality quality;
-  ASSERT_TRUE(FF::quad_mesh_quality(mesh, quality));
+  ASSERT_TRUE(FF::quad_mesh_quality(mesh, FF::parameters::quality(std::ref(quality))));
   EXPECT_EQ(quality.number_of_quads, 1u);
   EXPECT_EQ(quality.number_of_other_faces, 2u);
   EXPECT_EQ(quality.number_of_inverted_quads, 1u);
@@ -105,9 +105,10 @@ TEST(Quad_mesh_quality, what_is_not_finite_is_refused)
   cube.mesh.point(*cube.mesh.vertices().begin()) = Point(0, std::numeric_limits<double>::infinity(), 0);
   FF::Quad_quality quality;
   quality.number_of_quads = 7;
-  EXPECT_EQ(FF::quad_mesh_quality(cube.mesh, quality).error_code, FF::ERROR_NON_FINITE_COORDINATE);
+  EXPECT_EQ(FF::quad_mesh_quality(cube.mesh, FF::parameters::quality(std::ref(quality))).error_code,
+            FF::ERROR_NON_FINITE_COORDINATE);
   EXPECT_EQ(quality.number_of_quads, 7u);
-  ASSERT_TRUE(FF::quad_mesh_quality(Mesh(), quality));
+  ASSERT_TRUE(FF::quad_mesh_quality(Mesh(), FF::parameters::quality(std::ref(quality))));
   EXPECT_EQ(quality.number_of_quads, 0u);
   EXPECT_EQ(quality.maximum_edge_length, 0);
 }

@@ -9,6 +9,7 @@
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
 #include <CGAL/Frame_fields/internal/surface/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
@@ -214,7 +215,7 @@ inline Quad_surface make_surface(const std::vector<Coordinates>& points, const s
       s.surface.length.push_back(distance(p[(k + 2) % 3], p[k]));
   }
   collect_sectors<CGAL::Sequential_tag>(s.surface);
-  collect_dual_edges<CGAL::Sequential_tag>(s.surface, CGAL::Frame_fields::UNIFORM_WEIGHTS);
+  collect_dual_edges<CGAL::Sequential_tag>(s.surface, CGAL::Frame_fields::Edge_weighting::UNIFORM);
   find_nodes(s);
   collect_arcs(s);
   return s;

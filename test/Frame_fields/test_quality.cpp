@@ -38,7 +38,8 @@ protected:
     const auto all = parameters::join(np, cad_mesh.features().matching_map(maps.matching)
                                                    .statistics(std::ref(result.field.statistics)));
     EXPECT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index, all));
-    EXPECT_TRUE(FF::frame_field_quality(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, result.quality, all));
+    EXPECT_TRUE(FF::frame_field_quality(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching,
+                                        all.quality(std::ref(result.quality))));
     EXPECT_TRUE(FF::singularities(cad_mesh.mesh, maps.index, std::back_inserter(result.singularities),
                                   cad_mesh.features()));
     const FF::Statistics statistics = result.field.statistics;
@@ -52,7 +53,7 @@ TYPED_TEST_SUITE(Quality, Mesh_classes, Mesh_class_names);
 
 TYPED_TEST(Quality, figures_are_those_of_the_field)
 {
-  for(const FF::Edge_weighting weighting : { FF::UNIFORM_WEIGHTS, FF::PRIMAL_OVER_DUAL_LENGTH })
+  for(const FF::Edge_weighting weighting : { FF::Edge_weighting::UNIFORM, FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH })
   {
     const Cad_mesh<TypeParam> cad_mesh(quilt());
     const auto measured = this->measured_field(cad_mesh, parameters::edge_weighting(weighting));
@@ -110,8 +111,8 @@ TYPED_TEST(Quality, rotations_turn_branches_into_the_matched_ones)
     ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index, np));
     const auto rotations = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2> >(), mesh);
     FF::Field_quality quality;
-    ASSERT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality,
-                                        np.rotation_map(rotations)));
+    ASSERT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching,
+                                        np.rotation_map(rotations).quality(std::ref(quality))));
 
     const auto angle_to_edge = [&](const Halfedge h, const Halfedge edge, const int branch)
     {
@@ -159,8 +160,8 @@ TYPED_TEST(Quality, rotations_of_an_orthogonal_field_sum_to_the_indices)
   ASSERT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index, np));
   const auto rotations = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2> >(), cad_mesh.mesh);
   FF::Field_quality quality;
-  ASSERT_TRUE(FF::frame_field_quality(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, quality,
-                                      np.rotation_map(rotations)));
+  ASSERT_TRUE(FF::frame_field_quality(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching,
+                                      np.rotation_map(rotations).quality(std::ref(quality))));
   std::vector<double> r;
   std::vector<int> index;
   for_each_halfedge(cad_mesh.mesh, [&](const auto h)
@@ -182,7 +183,7 @@ TYPED_TEST(Quality, radius_bounds_the_support)
   const Cad_mesh<TypeParam> cad_mesh(wedge(20, 0.04));
   const Cut cut = cad_mesh.cut();
   const double radius = 0.45;
-  for(const FF::Edge_weighting weighting : { FF::UNIFORM_WEIGHTS, FF::PRIMAL_OVER_DUAL_LENGTH })
+  for(const FF::Edge_weighting weighting : { FF::Edge_weighting::UNIFORM, FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH })
   {
     const Field field = frame_field(cad_mesh, parameters::support_strategy(FF::Support_strategy::radius(radius))
                                                 .edge_weighting(weighting).sharp_corner_bound(45 * degree));
@@ -242,7 +243,7 @@ TYPED_TEST(Quality, radius_takes_evenly_from_the_ball)
 TYPED_TEST(Quality, weights_do_not_depend_on_the_unit_of_length)
 {
   const Model model = quilt();
-  const auto np = parameters::edge_weighting(FF::PRIMAL_OVER_DUAL_LENGTH)
+  const auto np = parameters::edge_weighting(FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH)
                     .support_strategy(FF::Support_strategy::radius());
   const Field field = frame_field(Cad_mesh<TypeParam>(model), np);
   for(const double scale : { 1e-6, 1e6 })
@@ -259,14 +260,14 @@ TYPED_TEST(Quality, no_chord_is_left)
   Cad_mesh<TypeParam> cad_mesh(wedge(3, 0.5), false);
   const double area = CGAL::Polygon_mesh_processing::area(cad_mesh.mesh);
   const std::size_t number_of_faces = cad_mesh.cut().number_of_faces();
-  const std::size_t number_of_chords = FF::split_chords(cad_mesh.mesh, cad_mesh.features());
+  const std::size_t number_of_chords = split_chords(cad_mesh);
   EXPECT_GT(number_of_chords, 0u);
   EXPECT_EQ(number_of_faces + 2 * number_of_chords, static_cast<std::size_t>(cad_mesh.cut().number_of_faces()));
-  EXPECT_EQ(0u, FF::split_chords(cad_mesh.mesh, cad_mesh.features()));
+  EXPECT_EQ(0u, split_chords(cad_mesh));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(cad_mesh.mesh));
   EXPECT_TRUE(CGAL::is_triangle_mesh(cad_mesh.mesh));
   EXPECT_NEAR(area, CGAL::Polygon_mesh_processing::area(cad_mesh.mesh), 1e-12);
-  FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features());
+  split_overconstrained_faces(cad_mesh);
   EXPECT_EQ(FF::OK, frame_field(cad_mesh).result.error_code);
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Frame_fields/internal/surface/collect_dual_edges.h>
 #include <CGAL/Frame_fields/internal/surface/collect_sectors.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
@@ -314,7 +315,7 @@ Cut_surface cut_surface(const Soup& soup)
       surface.length.push_back(distance(points[k], points[(k + 2) % 3]));
   }
   collect_sectors<CGAL::Sequential_tag>(surface);
-  collect_dual_edges<CGAL::Sequential_tag>(surface, CGAL::Frame_fields::UNIFORM_WEIGHTS);
+  collect_dual_edges<CGAL::Sequential_tag>(surface, CGAL::Frame_fields::Edge_weighting::UNIFORM);
   align_with_constrained_edges(surface);
   if(!soup.index_of_vertex.empty())
   {

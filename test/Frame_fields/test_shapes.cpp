@@ -132,9 +132,9 @@ TYPED_TEST(Shape, is_split_where_a_face_has_several_features)
   {
     Cad_mesh<TypeParam> cad_mesh(model, false);
     const std::size_t number_of_faces = num_faces(cad_mesh.mesh);
-    const std::size_t result = FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features());
+    const std::size_t result = split_overconstrained_faces(cad_mesh);
     EXPECT_EQ(number_of_faces + 2 * result, static_cast<std::size_t>(cad_mesh.cut().number_of_faces()));
-    EXPECT_EQ(0u, FF::split_overconstrained_faces(cad_mesh.mesh, cad_mesh.features()));
+    EXPECT_EQ(0u, split_overconstrained_faces(cad_mesh));
     return result;
   };
   EXPECT_EQ(1u, number_of_splits(single_triangle()));

@@ -7,18 +7,22 @@ namespace {
 using namespace test;
 using CGAL::Frame_fields::Support_strategy;
 
-// Calls the functions of the stages one after the other.
-template <typename Mesh, typename NamedParameters>
-Field frame_field_by_stages(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& options)
+// Calls the functions of the stages one after the other, for a mesh or for one that is cut.
+template <typename TriangleMesh, typename Mesh, typename NamedParameters>
+void call_stages(const TriangleMesh& mesh, const Maps<Mesh>& maps, const NamedParameters& np)
 {
-  const Mesh& mesh = cad_mesh.mesh;
-  const Maps<Mesh> maps(mesh);
-  const auto np = parameters::join(options, cad_mesh.features());
   EXPECT_TRUE(FF::prescribe_rotation(mesh, maps.omega, np));
   EXPECT_TRUE(FF::orthogonal_frame_field(
     mesh, maps.alpha, np.prescribed_rotation_map(maps.omega).matching_map(maps.matching)));
   EXPECT_TRUE(FF::singularity_indices(mesh, maps.alpha, maps.matching, maps.index, np));
   EXPECT_TRUE(FF::relax_frame_field(mesh, maps.alpha, maps.rho, np.matching_map(maps.matching)));
+}
+
+template <typename Mesh, typename NamedParameters>
+Field frame_field_by_stages(const Cad_mesh<Mesh>& cad_mesh, const NamedParameters& options)
+{
+  const Maps<Mesh> maps(cad_mesh.mesh);
+  call_stages(cad_mesh.mesh, maps, parameters::join(options, cad_mesh.features()));
   return to_field(cad_mesh, maps);
 }
 
@@ -84,6 +88,131 @@ TEST_P(Stages, find_the_matching_again)
     EXPECT_EQ(expected.alpha, field.alpha);
     EXPECT_EQ(expected.rho, field.rho);
   });
+}
+
+// All that the functions behind a field give, as one list of numbers.
+template <typename TriangleMesh, typename Mesh, typename NamedParameters>
+std::vector<double> readings(const TriangleMesh& mesh, const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
+                             const NamedParameters& np)
+{
+  typedef boost::graph_traits<Mesh> Graph_traits;
+  typedef Kernel::Point_2 Point_2;
+  std::vector<double> result;
+  std::vector<typename Graph_traits::halfedge_descriptor> corners;
+  EXPECT_TRUE(FF::sharp_corners(mesh, std::back_inserter(corners), np));
+  result.push_back(static_cast<double>(corners.size()));
+  std::vector<FF::Singularity<typename Graph_traits::halfedge_descriptor> > singularities;
+  EXPECT_TRUE(FF::singularities(mesh, maps.index, std::back_inserter(singularities), np));
+  for(const auto& singularity : singularities)
+    result.insert(result.end(), { singularity.angle, singularity.distance_to_features });
+  FF::Field_quality quality;
+  EXPECT_TRUE(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, np.quality(std::ref(quality))));
+  result.insert(result.end(), { quality.energy, quality.curl, quality.mean_skewness });
+  std::vector<FF::Streamline<Point, typename Graph_traits::face_descriptor> > streamlines;
+  EXPECT_TRUE(FF::trace_streamlines(mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(streamlines), np));
+  for(const auto& streamline : streamlines)
+    result.insert(result.end(), { streamline.points.back().x(), streamline.points.back().y() });
+  const Face_map<Mesh, int> first_branch = get(CGAL::dynamic_face_property_t<int>(), cad_mesh.mesh);
+  const Halfedge_map<Mesh, int> quarter_turn = get(CGAL::dynamic_halfedge_property_t<int>(), cad_mesh.mesh);
+  EXPECT_TRUE(FF::comb_frame_field(mesh, maps.matching, first_branch, quarter_turn, np));
+  const Halfedge_map<Mesh, Point_2> uv = get(CGAL::dynamic_halfedge_property_t<Point_2>(), cad_mesh.mesh);
+  EXPECT_TRUE(FF::seamless_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv, np));
+  for_each_halfedge(cad_mesh.mesh, [&](const auto h)
+  {
+    result.insert(result.end(), { get(uv, h).x(), get(uv, h).y(), static_cast<double>(get(quarter_turn, h)) });
+  });
+  return result;
+}
+
+class Mesh_cut_once : public On_models {};
+
+TEST_P(Mesh_cut_once, gives_bitwise_the_same)
+{
+  on_each_mesh_class(GetParam().make(), [](const auto& cad_mesh)
+  {
+    typedef typename std::decay_t<decltype(cad_mesh)>::Mesh Mesh;
+    const Mesh& mesh = cad_mesh.mesh;
+    const auto defaults = parameters::sharp_corner_bound(0.75 * CGAL_PI);
+    const Maps<Mesh> expected(mesh), maps(mesh);
+    call_stages(mesh, expected, parameters::join(defaults, cad_mesh.features()));
+
+    int number_of_reads = 0;
+    typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+    const auto points = boost::make_function_property_map<vertex_descriptor, Point>([&](const vertex_descriptor v)
+    {
+      ++number_of_reads;
+      return cad_mesh.point(v);
+    });
+    const FF::Cut_triangle_mesh cut(mesh, cad_mesh.features().vertex_point_map(points));
+    ASSERT_TRUE(cut.result()) << cut.result().message;
+    const int number_of_reads_of_cut = number_of_reads;
+    EXPECT_GT(number_of_reads_of_cut, 0);
+    call_stages(cut, maps, defaults);
+    EXPECT_EQ(number_of_reads_of_cut, number_of_reads);
+    expect_identical(to_field(cad_mesh, expected), to_field(cad_mesh, maps));
+    EXPECT_EQ(readings(mesh, cad_mesh, expected, cad_mesh.features()), readings(cut, cad_mesh, maps, defaults));
+
+    // The whole pipeline as well; what guides it leaves the cut as it was.
+    const auto n = get(CGAL::dynamic_face_property_t<Kernel::Vector_3>(), mesh);
+    for(const auto f : faces(mesh))
+      put(n, f, Kernel::Vector_3(1, 2, 3));
+    const auto guided = parameters::guiding_direction_map(n);
+    for(const bool is_guided : { true, false })
+    {
+      const auto field_of = [&](const auto& any_mesh, const auto& np)
+      {
+        const Maps<Mesh> of_pipeline(mesh);
+        const FF::Result result = FF::cad_frame_field(any_mesh, of_pipeline.alpha, of_pipeline.rho, of_pipeline.index,
+                                                      np.matching_map(of_pipeline.matching));
+        EXPECT_TRUE(result) << result.message;
+        return to_field(cad_mesh, of_pipeline);
+      };
+      if(is_guided)
+        expect_identical(field_of(mesh, parameters::join(guided, cad_mesh.features())), field_of(cut, guided));
+      else
+        expect_identical(field_of(mesh, cad_mesh.features()), field_of(cut, defaults));
+    }
+  });
+}
+
+// The weights of the edges are those of the cut.
+TEST(Cut_triangle_mesh, keeps_the_weights_of_the_edges)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(generated_models().front().make());
+  const Surface_mesh& mesh = cad_mesh.mesh;
+  const Maps<Surface_mesh> expected(mesh), maps(mesh);
+  const auto np = cad_mesh.features().edge_weighting(FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH);
+  call_stages(mesh, expected, np);
+  call_stages(FF::Cut_triangle_mesh(mesh, np), maps, parameters::maximum_skewness(0.45 * CGAL_PI));
+  expect_identical(to_field(cad_mesh, expected), to_field(cad_mesh, maps));
+}
+
+TEST(Cut_triangle_mesh, is_refused_if_it_failed_or_the_mesh_has_changed)
+{
+  Surface_mesh mesh;
+  const FF::Cut_triangle_mesh<Surface_mesh> empty(mesh);
+  EXPECT_EQ(FF::ERROR_EMPTY_MESH, empty.result().error_code);
+  EXPECT_EQ(0u, empty.number_of_patches());
+  const Maps<Surface_mesh> maps(mesh);
+  EXPECT_EQ(FF::ERROR_EMPTY_MESH, FF::prescribe_rotation(empty, maps.omega).error_code);
+
+  const auto a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0));
+  mesh.add_face(a, b, mesh.add_vertex(Point(0, 1, 0)));
+  const FF::Cut_triangle_mesh<Surface_mesh> triangle(mesh); // overconstrained, which these functions refuse or accept
+  EXPECT_TRUE(triangle.result());
+  EXPECT_EQ(1u, triangle.number_of_patches());
+  EXPECT_EQ(&mesh, &triangle.triangle_mesh());
+  const auto omega = get(CGAL::dynamic_halfedge_property_t<double>(), static_cast<const Surface_mesh&>(mesh));
+  EXPECT_EQ(FF::ERROR_OVERCONSTRAINED_FACE, FF::prescribe_rotation(triangle, omega).error_code);
+  std::vector<Surface_mesh::Halfedge_index> corners;
+  EXPECT_TRUE(FF::sharp_corners(triangle, std::back_inserter(corners)));
+  EXPECT_EQ(3u, corners.size());
+
+  mesh.add_face(b, a, mesh.add_vertex(Point(1, -1, 0)));
+  const FF::Result result = FF::sharp_corners(triangle, std::back_inserter(corners));
+  EXPECT_EQ(FF::ERROR_MESH_CHANGED, result.error_code);
+  EXPECT_NE(std::string::npos, result.message.find("1 faces then, 2 now")) << result.message;
+  EXPECT_EQ(3u, corners.size());
 }
 
 // Every certified patch is mapped exactly, the others are listed and mapped to the origin.
@@ -160,6 +289,7 @@ TEST(Seamless_parameterization, reads_its_parameters)
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, Stages, testing::ValuesIn(generated_models()), Model_name());
+INSTANTIATE_TEST_SUITE_P(Generated, Mesh_cut_once, testing::ValuesIn(generated_models()), Model_name());
 
 std::vector<Named_model> models_of_cgal()
 {

@@ -594,7 +594,7 @@ TYPED_TEST(Streamline_errors, parameter_out_of_range)
     EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result.error_code);
     EXPECT_NE(std::string::npos, result.message.find(name)) << result.message;
   };
-  for(const double spacing : { -1., infinity, nan, 1e-7 })
+  for(const double spacing : { 0., -1., infinity, nan, 1e-7 })
     expect_named(this->trace(parameters::streamline_spacing(spacing)), "streamline_spacing");
   for(const double separation : { -0.1, 1.1, nan })
     expect_named(this->trace(parameters::streamline_separation(separation)), "streamline_separation");

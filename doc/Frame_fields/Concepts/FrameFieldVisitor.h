@@ -17,7 +17,7 @@ public:
 
 /*!
 is called in the calling thread when `stage` starts, once for each stage in the order of `CGAL::Frame_fields::Stage`.
-Stages after a failure are not started, nor is `CGAL::Frame_fields::RELAXATION` if the field is not relaxed. An
+Stages after a failure are not started, nor is `CGAL::Frame_fields::Stage::RELAXATION` if the field is not relaxed. An
 exception that is thrown here leaves `CGAL::Frame_fields::cad_frame_field()` before any output was written.
 */
 void start_stage(CGAL::Frame_fields::Stage stage);

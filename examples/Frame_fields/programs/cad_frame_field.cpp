@@ -38,8 +38,12 @@ void split_faces(Mesh& mesh, const Feature_map is_feature, Summary& summary)
   summary.vertices = mesh.number_of_vertices();
   summary.feature_edges = count_features(mesh, is_feature);
   CGAL::Frame_fields::dangling_feature_ends(mesh, is_feature, std::back_inserter(summary.dangling_ends));
-  summary.split_faces = CGAL::Frame_fields::split_overconstrained_faces(
-    mesh, CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature));
+  CGAL::Frame_fields::Refinement_statistics statistics;
+  const CGAL::Frame_fields::Result result = CGAL::Frame_fields::split_overconstrained_faces(
+    mesh, CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature).statistics(std::ref(statistics)));
+  if(!result)
+    throw Failure(BAD_FILE, result.message);
+  summary.split_faces = statistics.number_of_split_faces;
   summary.faces_after_split = mesh.number_of_faces();
 }
 

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_AMGCL_FRAME_FIELD_SOLVER_TRAITS_H
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/conjugate.h>
 
 #include <CGAL/tags.h>
 
@@ -92,7 +93,7 @@ public:
   {
     std::vector<Scalar> turned(right_hand_side);
     for(std::size_t i = 0; i < turned.size(); ++i)
-      turned[i] *= conjugate(m_turn[i]);
+      turned[i] *= internal::conjugate(m_turn[i]);
     solution.assign(right_hand_side.size(), Scalar(0));
     const auto [number_of_iterations, residual] = (*m_solver)(turned, solution);
     for(std::size_t i = 0; i < solution.size(); ++i)
@@ -111,9 +112,6 @@ private:
     std::vector<std::ptrdiff_t> begin, column;
     std::vector<Scalar> value;
   };
-
-  static double conjugate(const double x) { return x; }
-  static std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
 
   static Rows full_rows(const Hermitian_matrix<Scalar>& matrix)
   {
@@ -142,7 +140,7 @@ private:
       {
         append(matrix.row[k], j, matrix.value[k]);
         if(matrix.row[k] != j)
-          append(j, matrix.row[k], conjugate(matrix.value[k]));
+          append(j, matrix.row[k], internal::conjugate(matrix.value[k]));
       }
     return rows;
   }
@@ -169,7 +167,7 @@ private:
           const std::ptrdiff_t j = rows.column[k];
           if(turn[j] != Scalar(0) || rows.value[k] == Scalar(0))
             continue;
-          turn[j] = -turn[i] * conjugate(rows.value[k]) / std::abs(rows.value[k]);
+          turn[j] = -turn[i] * internal::conjugate(rows.value[k]) / std::abs(rows.value[k]);
           visited.push_back(j);
         }
       }
@@ -181,7 +179,7 @@ private:
   {
     for(std::size_t i = 0; i < m_turn.size(); ++i)
       for(std::ptrdiff_t k = rows.begin[i]; k < rows.begin[i + 1]; ++k)
-        rows.value[k] *= conjugate(m_turn[i]) * m_turn[rows.column[k]];
+        rows.value[k] *= internal::conjugate(m_turn[i]) * m_turn[rows.column[k]];
   }
 
   double m_tolerance;

@@ -21,10 +21,10 @@ namespace Frame_fields {
 ///
 /// lists the weights \f$ w_{ij} \f$ of the unconstrained edges in the sums that define the prescribed rotation, the
 /// orthogonal field and its relaxation.
-enum Edge_weighting
+enum class Edge_weighting
 {
   /// \f$ w_{ij} = 1 \f$, as in \cgalCite{cgal:dprcs-ffcm-22}
-  UNIFORM_WEIGHTS,
+  UNIFORM,
 
   /// the length of the edge divided by the length of its dual, 1 for two equilateral triangles: the sums approximate
   /// integrals over the surface, so that the field depends little on the mesh. The dual of an edge joins the centroids

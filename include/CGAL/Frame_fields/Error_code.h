@@ -43,7 +43,8 @@ enum Error_code
   ERROR_POINCARE_HOPF,               ///< The index targets of a patch do not sum to its Euler characteristic
   ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,  ///< The linear solver failed
-  ERROR_INCONSISTENT_HALFEDGES       ///< Opposite halfedges, or the halfedges around a face, contradict one another
+  ERROR_INCONSISTENT_HALFEDGES,      ///< Opposite halfedges, or the halfedges around a face, contradict one another
+  ERROR_MESH_CHANGED                 ///< The mesh of a `Cut_triangle_mesh` is not the same as when it was cut
 };
 
 /// \ingroup PkgFrame_fieldsEnums
@@ -67,6 +68,7 @@ inline const char* get_error_message(int error_code)
     case ERROR_NO_RECEIVING_SECTOR:        return "The rotation taken from a sharp corner finds no sector to go to";
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "The linear solver failed";
     case ERROR_INCONSISTENT_HALFEDGES:     return "The halfedges of the mesh contradict one another";
+    case ERROR_MESH_CHANGED:               return "The mesh has changed since it was cut";
   }
   return "Unknown error";
 }
@@ -95,6 +97,11 @@ namespace internal {
 inline Result failure(const Error_code error_code, const std::string& element)
 {
   return { error_code, std::string(get_error_message(error_code)) + ": " + element };
+}
+
+inline Result wrong_parameter(const std::string& name, const double value, const std::string& range)
+{
+  return failure(ERROR_WRONG_PARAMETER, name + " is " + std::to_string(value) + " and must be " + range);
 }
 
 } // namespace internal

@@ -24,9 +24,10 @@ namespace Frame_fields {
 /// holds the figures of one call of `refine_triangles()`; see its named parameter `statistics`.
 struct Refinement_statistics
 {
-  std::size_t number_of_splits = 0; ///< edges split at their midpoints
-  std::size_t number_of_flips = 0;  ///< edges flipped
-  double flip_tolerance = 0;        ///< how far a flip was allowed to move the surface
+  std::size_t number_of_splits = 0;      ///< edges split at their midpoints
+  std::size_t number_of_split_faces = 0; ///< faces split at a point inside
+  std::size_t number_of_flips = 0;       ///< edges flipped
+  double flip_tolerance = 0;             ///< how far a flip was allowed to move the surface; 0 if none was
 };
 
 } // namespace Frame_fields

@@ -22,7 +22,7 @@ namespace Frame_fields {
 /// \ingroup PkgFrame_fieldsRef
 ///
 /// lists the stages of `cad_frame_field()` in their order.
-enum Stage
+enum class Stage
 {
   CUT_SURFACE,           ///< the mesh is read and cut along its constrained edges
   PRESCRIBED_ROTATION,   ///< the rotation prescribed across the dual edges, see `prescribe_rotation()`
@@ -47,11 +47,11 @@ struct Default_frame_field_visitor
 /// holds the wall-clock seconds of each stage of `cad_frame_field()`.
 struct Stage_seconds
 {
-  double cut_surface = 0;          ///< of `CUT_SURFACE`
-  double prescribed_rotation = 0;  ///< of `PRESCRIBED_ROTATION`
-  double orthogonal_field = 0;     ///< of `ORTHOGONAL_FIELD`
-  double matching_and_indices = 0; ///< of `MATCHING_AND_INDICES`
-  double relaxation = 0;           ///< of `RELAXATION`, 0 if the field is not relaxed
+  double cut_surface = 0;          ///< of `Stage::CUT_SURFACE`
+  double prescribed_rotation = 0;  ///< of `Stage::PRESCRIBED_ROTATION`
+  double orthogonal_field = 0;     ///< of `Stage::ORTHOGONAL_FIELD`
+  double matching_and_indices = 0; ///< of `Stage::MATCHING_AND_INDICES`
+  double relaxation = 0;           ///< of `Stage::RELAXATION`, 0 if the field is not relaxed
   double total = 0;                ///< from the call to the return, with the writing of the output maps
 };
 

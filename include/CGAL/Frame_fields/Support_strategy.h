@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_SUPPORT_STRATEGY_H
 #define CGAL_FRAME_FIELDS_SUPPORT_STRATEGY_H
 
+#include <optional>
+
 /// \file Support_strategy.h
 
 namespace CGAL {
@@ -59,13 +61,15 @@ public:
   /// its area: each sector that is not a sharp corner gives in proportion to the integral of its hat function, which
   /// is 1 at the sector and 0 at all others, over the part within the distance. If there is no such sector, the
   /// nearest one gives all. What comes out depends little on the mesh, in particular with the weights
-  /// `PRIMAL_OVER_DUAL_LENGTH`.
+  /// `Edge_weighting::PRIMAL_OVER_DUAL_LENGTH`.
   ///
-  /// \param radius a length of the mesh; by default, half the length of the shorter one of the two constrained curves
-  ///        that leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but
-  ///        not beyond the distance \f$ r \f$ up to which the patch fills at least 0.8 of the wedge
-  ///        \f$ \theta r^2 / 2 \f$
-  static Support_strategy radius(const double radius = 0) { return Support_strategy(RADIUS, 0, radius); }
+  /// \param radius a length of the mesh, positive
+  static Support_strategy radius(const double radius) { return Support_strategy(RADIUS, 0, radius); }
+
+  /// is the same with a radius for each corner: half the length of the shorter one of the two constrained curves that
+  /// leave the corner, up to the next sector of less than \f$ 3\pi/4 \f$ or more than \f$ 5\pi/4 \f$, but not beyond
+  /// the distance \f$ r \f$ up to which the patch fills at least 0.8 of the wedge \f$ \theta r^2 / 2 \f$.
+  static Support_strategy radius() { return Support_strategy(RADIUS); }
 
   /// returns the kind of the strategy.
   Kind kind() const { return m_kind; }
@@ -73,17 +77,18 @@ public:
   /// returns the number of rings; 0 if the kind is not `RINGS`.
   unsigned int number_of_rings() const { return m_number_of_rings; }
 
-  /// returns the radius if the kind is `RADIUS`; a value that is not positive stands for the default.
-  double support_radius() const { return m_radius; }
+  /// returns the radius, if the kind is `RADIUS` and one was given.
+  std::optional<double> support_radius() const { return m_radius; }
 
 private:
-  explicit Support_strategy(const Kind kind, const unsigned int number_of_rings = 0, const double radius = 0)
+  explicit Support_strategy(const Kind kind, const unsigned int number_of_rings = 0,
+                            const std::optional<double>& radius = std::nullopt)
     : m_kind(kind), m_number_of_rings(number_of_rings), m_radius(radius)
   {}
 
   Kind m_kind;
   unsigned int m_number_of_rings;
-  double m_radius;
+  std::optional<double> m_radius;
 };
 
 } // namespace Frame_fields

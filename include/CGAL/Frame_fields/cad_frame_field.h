@@ -15,9 +15,10 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/field/Stage_clock.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -39,10 +40,10 @@ index \f$ 1/2 \f$ at sharp corners (\cgalCite{cgal:dprcs-ffcm-22}).
 It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogonal_frame_field()`,
 `singularity_indices()` and `relax_frame_field()` do one after the other, with the same output.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `WritablePropertyMap` with
+\tparam SkewnessMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam IndexMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -51,7 +52,7 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
 \param tm the mesh: manifold, oriented, with or without border, of any genus and any number of components
 \param alpha_map gets the angle of the first branch of each face `f`, in radians, counted counter-clockwise from the
        direction of `halfedge(f, tm)`
-\param rho_map gets the skewness, in radians: the branches of a face stand at
+\param skewness_map gets the skewness, in radians: the branches of a face stand at
        \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$
 \param index_map gets four times the singularity index of the sector that contains the corner at the target of a
        halfedge; 0 on border halfedges
@@ -125,9 +126,9 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
     \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
-                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a
-                          face of area \f$ A_i \f$}
-    \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
+                          are not `Edge_weighting::UNIFORM`:
+                          \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a face of area \f$ A_i \f$}
+    \cgalParamType{`double`, a length of the mesh, positive, or `std::optional<double>`}
     \cgalParamDefault{a quarter of the square root of the area of the patch}
   \cgalParamNEnd
   \cgalParamNBegin{guiding_direction_map}
@@ -141,7 +142,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNBegin{guiding_weight_map}
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
-                          weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
+                          weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
+                          by
                           \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, twice it is the
                           factor of the squared angle to the nearest branch pair.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -160,7 +162,7 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
@@ -258,9 +260,9 @@ quarter index that it moves, \cgalBigO{n \log n} at most.
 \sa `split_overconstrained_faces()`
 \sa `frame_vectors()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename IndexMap,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename IndexMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, IndexMap index_map,
+Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map, IndexMap index_map,
                        const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::get_parameter;
@@ -270,11 +272,12 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
   const internal::Options options = internal::options_from(np);
   const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
 
-  clock.start(CUT_SURFACE);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  const Result cut_result = internal::check_and_cut(options, cut_mesh);
+  clock.start(Stage::CUT_SURFACE);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  const Result cut_result = internal::check_and_cut(options, stage_mesh);
   if(!cut_result)
     return cut_result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   internal::Frame_field field;
   const internal::Patch_result field_result =
@@ -294,7 +297,7 @@ Result cad_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_ma
                           get_parameter(np, internal::unmeshable_sector_output_iterator));
   internal::write_sectors(cut_mesh, [&]() { return internal::unnatural_sectors_of(surface, field); },
                           get_parameter(np, internal::unnatural_sector_output_iterator));
-  internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, rho_map);
+  internal::write_relaxed_field(cut_mesh, field.alpha, field.gamma, alpha_map, skewness_map);
   internal::write_on_sectors(cut_mesh, field.index, index_map);
   internal::write_on_dual_edges(cut_mesh, field.matching, get_parameter(np, internal::matching));
   internal::write_on_dual_edges(cut_mesh, field.omega, get_parameter(np, internal::prescribed_rotation));

@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -61,7 +61,7 @@ The result contains quads only, and it is a manifold of the topology of `tm`. Ev
 meet or turn is a vertex of the result, and the feature edges between such vertices become chains of edges whose
 vertices are on them.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam QuadMesh a model of `MutableFaceGraph` with an internal property map for `CGAL::vertex_point_t`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -174,10 +174,11 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return result;
 
   clock.start(Quad_stage::PREPARATION);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> given_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> given_stage_mesh(tm, np);
   const bool accepts_overconstrained_faces = true;
-  if(const Result result = given_mesh.build(options, accepts_overconstrained_faces); !result)
+  if(const Result result = given_stage_mesh.cut(options, accepts_overconstrained_faces); !result)
     return result;
+  const auto& given_mesh = given_stage_mesh.cut_mesh();
   const double given_unit = given_mesh.surface().length_unit;
   const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
   if(const Result result = internal::check_number_of_quads(given_mesh.surface(), edge_length); !result)
@@ -188,9 +189,10 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
-  internal::Cut_mesh<internal::Working_mesh, Prepared_pack> cut_mesh(mesh, prepared);
-  if(const Result result = cut_mesh.build(options); !result)
+  internal::Stage_mesh<internal::Working_mesh, Prepared_pack> stage_mesh(mesh, prepared);
+  if(const Result result = stage_mesh.cut(options); !result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
   const internal::Surface_embedding embedding = internal::embed(cut_mesh);
 

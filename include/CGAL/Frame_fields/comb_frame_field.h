@@ -13,8 +13,8 @@
 #define CGAL_FRAME_FIELDS_COMB_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/comb_patch.h>
@@ -43,7 +43,7 @@ the matching determines: the quarter turns across the edges around a sector that
 counter-clockwise, sum to \f$ 4I \f$ modulo 4. So seams end at constrained edges and at such sectors where \f$ 4I \f$ is
 no multiple of 4; where no seam ends, they go on.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam FirstBranchMap a class model of `WritablePropertyMap` with
@@ -99,8 +99,9 @@ Result comb_frame_field(const TriangleMesh& tm, MatchingMap matching_map, FirstB
                         QuarterTurnMap quarter_turn_map,
                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(internal::options_from(np), stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<int> matching;
   if(result)
     result = internal::read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);

@@ -21,7 +21,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <vector>
 
 /// \file detect_feature_edges.h
@@ -32,7 +32,9 @@ namespace internal {
 
 struct Feature_options
 {
-  double strong_angle, weak_angle, minimum_chain_length, coordinate_error; // the last NaN for the default
+  double strong_angle, weak_angle; // degrees
+  double minimum_chain_length;
+  std::optional<double> coordinate_error;
   bool closes_gaps;
 };
 
@@ -45,8 +47,7 @@ Feature_options feature_options_from(const NamedParameters& np)
   options.strong_angle = choose_parameter(get_parameter(np, internal::strong_angle), 40.);
   options.weak_angle = choose_parameter(get_parameter(np, internal::weak_angle), options.strong_angle);
   options.minimum_chain_length = choose_parameter(get_parameter(np, internal::minimum_chain_length), 0.);
-  options.coordinate_error =
-    choose_parameter(get_parameter(np, internal::coordinate_error), std::numeric_limits<double>::quiet_NaN());
+  options.coordinate_error = choose_parameter(get_parameter(np, internal::coordinate_error), std::optional<double>());
   options.closes_gaps = choose_parameter(get_parameter(np, internal::close_gaps), false);
   return options;
 }
@@ -54,12 +55,12 @@ Feature_options feature_options_from(const NamedParameters& np)
 inline Result check(const Feature_options& options)
 {
   if(!(options.strong_angle >= 0 && options.strong_angle <= 180))
-    return failure(ERROR_WRONG_PARAMETER, "strong_angle must be from 0 to 180 degrees");
+    return failure(ERROR_WRONG_PARAMETER, "strong_angle_in_degrees must be from 0 to 180");
   if(!(options.weak_angle >= 0 && options.weak_angle <= options.strong_angle))
-    return failure(ERROR_WRONG_PARAMETER, "weak_angle must be from 0 to strong_angle");
+    return failure(ERROR_WRONG_PARAMETER, "weak_angle_in_degrees must be from 0 to strong_angle_in_degrees");
   if(!(options.minimum_chain_length >= 0))
     return failure(ERROR_WRONG_PARAMETER, "minimum_chain_length must not be negative");
-  if(options.coordinate_error < 0)
+  if(options.coordinate_error && !(*options.coordinate_error >= 0))
     return failure(ERROR_WRONG_PARAMETER, "coordinate_error must not be negative");
   return {};
 }
@@ -95,15 +96,15 @@ neighbor that it lies along stands for it, and its own where no neighbor is bett
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{strong_angle}
-    \cgalParamDescription{the angle between normals from which an edge is a feature, in degrees}
+  \cgalParamNBegin{strong_angle_in_degrees}
+    \cgalParamDescription{the angle between normals from which an edge is a feature}
     \cgalParamType{`double`, from 0 to 180}
     \cgalParamDefault{40}
   \cgalParamNEnd
-  \cgalParamNBegin{weak_angle}
-    \cgalParamDescription{the angle between normals from which an edge continues features, in degrees}
-    \cgalParamType{`double`, from 0 to `strong_angle`}
-    \cgalParamDefault{`strong_angle`}
+  \cgalParamNBegin{weak_angle_in_degrees}
+    \cgalParamDescription{the angle between normals from which an edge continues features}
+    \cgalParamType{`double`, from 0 to `strong_angle_in_degrees`}
+    \cgalParamDefault{`strong_angle_in_degrees`}
   \cgalParamNEnd
   \cgalParamNBegin{close_gaps}
     \cgalParamDescription{whether gaps of one edge are closed}
@@ -117,7 +118,7 @@ neighbor that it lies along stands for it, and its own where no neighbor is bett
   \cgalParamNEnd
   \cgalParamNBegin{coordinate_error}
     \cgalParamDescription{the largest error of a coordinate}
-    \cgalParamType{`double`, a length, not negative}
+    \cgalParamType{`double`, a length, not negative, or `std::optional<double>`}
     \cgalParamDefault{\f$ 2^{-24} \f$ of the longest side of the bounding box; if all coordinates of `tm` are numbers of
                       type `float`, as in STL files, at least half the distance from the largest coordinate of a face to
                       the next such number}

@@ -13,10 +13,12 @@
 #define CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -89,13 +91,13 @@ constrained edge the nearer branch is turned onto that edge, as indices are only
 constrained edges; `maximum_misalignment` tells by how much at most. The matching \f$ p_{ij} \f$ is the one for which
 the two branches turn the least, in the sense of squares.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam VectorMap1 a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3` as value type
 \tparam VectorMap2 as `VectorMap1`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap as `AlphaMap`
+\tparam SkewnessMap as `AlphaMap`
 \tparam MatchingMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -104,9 +106,8 @@ the two branches turn the least, in the sense of squares.
 \param u_map one direction of each face
 \param v_map the other one
 \param alpha_map gets the angle of the first branch of each face, in radians
-\param rho_map gets the skewness of each face, in radians
+\param skewness_map gets the skewness of each face, in radians
 \param matching_map gets the matching \f$ p_{ij} \f$; 0 on constrained edges
-\param maximum_misalignment gets the largest angle by which a branch was turned onto a constrained edge, in radians
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -130,6 +131,14 @@ the two branches turn the least, in the sense of squares.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{maximum_misalignment}
+    \cgalParamDescription{gets the largest angle by which a branch was turned onto a constrained edge, in radians}
+    \cgalParamType{`std::reference_wrapper<double>`, that is `std::ref(x)` for an object `x` of type `double`}
+    \cgalParamDefault{it is not told}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
@@ -142,25 +151,29 @@ the two branches turn the least, in the sense of squares.
 \sa `singularity_indices()`
 \sa `frame_field_quality()`
 */
-template <typename TriangleMesh, typename VectorMap1, typename VectorMap2, typename AlphaMap, typename RhoMap,
+template <typename TriangleMesh, typename VectorMap1, typename VectorMap2, typename AlphaMap, typename SkewnessMap,
           typename MatchingMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, VectorMap2 v_map, AlphaMap alpha_map,
-                                RhoMap rho_map, MatchingMap matching_map, double& maximum_misalignment,
+                                SkewnessMap skewness_map, MatchingMap matching_map,
                                 const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  const Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  const Result result = internal::check_and_cut(internal::options_from(np), stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
 
   std::vector<double> alpha, rho;
   double largest_turn = 0;
   for(int f = 0; f < surface.number_of_faces(); ++f)
   {
-    const auto face = cut_mesh.face_descriptors()[f];
-    internal::Frame frame = internal::Frame::from_angles(cut_mesh.angle_in_face(face, get(u_map, face)),
-                                                         cut_mesh.angle_in_face(face, get(v_map, face)));
+    const auto angle_of = [&](const auto& vector_map)
+    {
+      return cut_mesh.angle_in_face(f, internal::coordinates_of(get(vector_map, cut_mesh.face_descriptors()[f]),
+                                                                stage_mesh.traits()));
+    };
+    internal::Frame frame = internal::Frame::from_angles(angle_of(u_map), angle_of(v_map));
     bool is_frame = std::abs(frame.rho) < CGAL_PI / 2; // false for NaN, too
     if(is_frame && surface.is_aligned(f))
     {
@@ -183,9 +196,9 @@ Result frame_field_from_vectors(const TriangleMesh& tm, VectorMap1 u_map, Vector
                                                   rho[internal::face_of(dual_edge.opposite)]));
   }
   internal::write_on_faces(cut_mesh, alpha, alpha_map);
-  internal::write_on_faces(cut_mesh, rho, rho_map);
+  internal::write_on_faces(cut_mesh, rho, skewness_map);
   internal::write_on_dual_edges(cut_mesh, matching, matching_map);
-  maximum_misalignment = largest_turn;
+  internal::give_to_caller(largest_turn, CGAL::parameters::get_parameter(np, internal::maximum_misalignment));
   return {};
 }
 

@@ -14,10 +14,12 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Field_quality.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/quality.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -34,10 +36,10 @@ namespace Frame_fields {
 
 measures a frame field, so that fields can be compared.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `ReadablePropertyMap` with
+\tparam SkewnessMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -45,9 +47,8 @@ measures a frame field, so that fields can be compared.
 
 \param tm the mesh
 \param alpha_map the angle of the first branch of each face, in radians
-\param rho_map the skewness of each face, in radians
+\param skewness_map the skewness of each face, in radians
 \param matching_map the matching \f$ p_{ij} \f$
-\param quality is set on success
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -72,11 +73,18 @@ measures a frame field, so that fields can be compared.
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in the energy}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{quality}
+    \cgalParamDescription{gets the figures}
+    \cgalParamType{`std::reference_wrapper<Field_quality>`, that is `std::ref(q)` for an object `q` of type
+                   `Field_quality`}
+    \cgalParamDefault{they are not told}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
   \cgalParamNBegin{rotation_map}
     \cgalParamDescription{gets the rotations across each edge, in radians: \f$ r^0_{ij} \f$ of the branch pair of
                           branch 0 of the face of a halfedge, towards the face of its opposite, and
@@ -96,25 +104,26 @@ measures a frame field, so that fields can be compared.
 
 \cgalBigO{n} for \f$ n \f$ faces.
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
-                           Field_quality& quality,
-                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+Result frame_field_quality(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map,
+                           MatchingMap matching_map, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = internal::check_and_cut(options, cut_mesh);
+  Result result = internal::check_and_cut(options, stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
-    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
+    result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, alpha, rho, matching);
   if(!result)
     return result;
   const std::vector<std::array<double, 2> > rotations =
     internal::rotations_of_branches(cut_mesh.surface(), alpha, rho, matching);
-  quality = internal::measure_quality(cut_mesh.surface(), alpha, rho, rotations);
+  internal::give_to_caller(internal::measure_quality(cut_mesh.surface(), alpha, rho, rotations),
+                           CGAL::parameters::get_parameter(np, internal::quality));
   internal::write_rotations(cut_mesh, matching, rotations,
                             CGAL::parameters::get_parameter(np, internal::halfedge_rotation));
   return {};

@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_FRAME_VECTORS_H
 #define CGAL_FRAME_FIELDS_FRAME_VECTORS_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 #include <CGAL/Frame_fields/internal/surface/face_basis.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -42,7 +42,7 @@ computes the four branches of the frame of a face as unit vectors, at the angles
 \param f a triangle of `tm` whose edges have a positive length; if its area is zero, the vectors lie in some plane
        through its edges
 \param alpha the angle of the first branch, in radians
-\param rho the skewness, in radians
+\param skewness the skewness \f$ \rho \f$, in radians
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -72,33 +72,25 @@ std::array<Vector_3, 4>
 std::array<typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type::Vector_3, 4>
 #endif
 frame_vectors(const TriangleMesh& tm, const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-              const double alpha, const double rho, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+              const double alpha, const double skewness,
+              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  typedef typename Geom_traits::FT FT;
+  typedef internal::Mesh_reader<const TriangleMesh, CGAL_NP_CLASS> Reader;
+  typedef typename Reader::Geom_traits::FT FT;
 
-  const auto points = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tm));
-  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
-
-  const auto coordinates = [&](const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
-  {
-    return internal::coordinates_of(get(points, v), traits);
-  };
+  const Reader reader(tm, np);
   const auto h = halfedge(f, tm);
-  const internal::Face_basis basis = internal::face_basis(coordinates(source(h, tm)), coordinates(target(h, tm)),
-                                                          coordinates(target(next(h, tm), tm)));
+  const internal::Face_basis basis = internal::face_basis(
+    reader.coordinates(source(h, tm)), reader.coordinates(target(h, tm)), reader.coordinates(target(next(h, tm), tm)));
 
   const auto unit_vector = [&](const double angle, const double sign)
   {
     const double x = sign * std::cos(angle), y = sign * std::sin(angle);
-    return traits.construct_vector_3_object()(FT(x * basis[0][0] + y * basis[1][0]),
-                                              FT(x * basis[0][1] + y * basis[1][1]),
-                                              FT(x * basis[0][2] + y * basis[1][2]));
+    return reader.traits().construct_vector_3_object()(FT(x * basis[0][0] + y * basis[1][0]),
+                                                       FT(x * basis[0][1] + y * basis[1][1]),
+                                                       FT(x * basis[0][2] + y * basis[1][2]));
   };
-  const double beta = alpha + CGAL_PI / 2 + rho;
+  const double beta = alpha + CGAL_PI / 2 + skewness;
   return { unit_vector(alpha, 1), unit_vector(beta, 1), unit_vector(alpha, -1), unit_vector(beta, -1) };
 }
 

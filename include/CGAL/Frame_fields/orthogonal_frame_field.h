@@ -13,11 +13,12 @@
 #define CGAL_FRAME_FIELDS_ORTHOGONAL_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -43,7 +44,7 @@ energy, an eigenvector to the smallest eigenvalue of the same hermitian matrix. 
 sum, see Section \ref Frame_fieldsOrthogonal. The field is determined up to a common rotation of all frames. It does not
 depend on the number of threads.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -97,7 +98,8 @@ depend on the number of threads.
   \cgalParamNBegin{guiding_weight_map}
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
-                          weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
+                          weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
+                          by
                           \f$ \sqrt 3 \f$, so that the sum is an integral.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
@@ -115,7 +117,7 @@ depend on the number of threads.
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
@@ -165,10 +167,11 @@ Result orthogonal_frame_field(const TriangleMesh& tm, AlphaMap alpha_map,
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
   const internal::Options options = internal::options_from(np);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(options, cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(options, stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> omega;
   result = internal::read_prescribed_rotation(cut_mesh, np, omega);
   if(!result)

@@ -13,8 +13,10 @@
 #define CGAL_FRAME_FIELDS_PREPARE_FOR_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Refinement_statistics.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/room_for_indices.h>
 #include <CGAL/Frame_fields/split_chords.h>
@@ -38,9 +40,9 @@ splits faces and edges until a mesh has all that a field for quadrangles needs: 
 edge, every face has a vertex that is on no constrained edge, and every patch has enough of them for the singularities
 that `cad_frame_field()` must move inside so that every sector on constrained edges gets its natural index.
 
-It calls `split_overconstrained_faces()` and `split_chords()`, and then splits the longest unconstrained edges of each
-patch that still lacks vertices inside at their midpoints, with their triangles. The surface does not change. A mesh
-that needs nothing stays as it is.
+It does what `split_overconstrained_faces()` and `split_chords()` do, and then splits the longest unconstrained edges of
+each patch that still lacks vertices inside at their midpoints, with their triangles. The surface does not change. A
+mesh that needs nothing stays as it is.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -70,6 +72,15 @@ that needs nothing stays as it is.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{gets the numbers of split faces and edges}
+    \cgalParamType{`std::reference_wrapper<Refinement_statistics>`}
+    \cgalParamDefault{they are not told}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or
         `ERROR_ZERO_LENGTH_EDGE`. On an error of the mesh as it was given, \c tm is unchanged. Where an edge is so short
         that its midpoint is one of its ends, the split mesh has an edge of length zero, and this is the error.
@@ -85,16 +96,19 @@ that needs nothing stays as it is.
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> Cut_mesh;
+  typedef internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> Stage_mesh;
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  const Result result = Cut_mesh(tm, np).build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  const Result result = Stage_mesh(tm, np).cut(options, accepts_overconstrained_faces);
   if(!result)
     return result;
-  split_overconstrained_faces(tm, np);
-  split_chords(tm, np);
+  const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
+  Refinement_statistics statistics;
+  statistics.number_of_split_faces = internal::split_faces_of(tm, mesh);
+  statistics.number_of_splits = internal::split_chords_of(tm, mesh);
 
   // One round is enough unless a patch has fewer edges than it needs vertices, or a new rounding error changes what is
   // natural. Each round doubles the edges of a patch at least, and no patch needs more than a few for each sector.
@@ -103,20 +117,22 @@ Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL:
   {
     std::vector<halfedge_descriptor> edges;
     {
-      Cut_mesh cut_mesh(tm, np);
-      const Result split_result = cut_mesh.build(options);
+      Stage_mesh stage_mesh(tm, np);
+      const Result split_result = stage_mesh.cut(options);
       if(!split_result)
         return split_result;
+      const auto& cut_mesh = stage_mesh.cut_mesh();
       for(const int e : internal::edges_that_make_room(cut_mesh.surface()))
         edges.push_back(cut_mesh.halfedge_of(cut_mesh.surface().dual_edges[e].halfedge));
     }
     if(edges.empty())
       break;
-    const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
     mesh.reserve_for(edges.size(), 3 * edges.size(), 2 * edges.size());
     for(const halfedge_descriptor h : edges)
       mesh.split_edge_with_faces(h);
+    statistics.number_of_splits += edges.size();
   }
+  internal::give_to_caller(statistics, CGAL::parameters::get_parameter(np, internal::statistics));
   return {};
 }
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
@@ -40,13 +40,13 @@ With the strategies `Support_strategy::rings()` and `Support_strategy::component
 \f$ 1/4 \f$ needs; elsewhere they sum to what the strategy takes back. Among all rotations with these sums this one has
 the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly zero in patches without sharp corner.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam PrescribedRotationMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
-\param omega_map gets the rotation, in radians, from the face of a halfedge to the face of its opposite;
+\param prescribed_rotation_map gets the rotation, in radians, from the face of a halfedge to the face of its opposite;
        \f$ \omega_{ji} = -\omega_{ij} \f$, and 0 on constrained edges
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -102,7 +102,7 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
@@ -136,22 +136,23 @@ none with `Support_strategy::none()` and `Support_strategy::local()`.
 \sa `orthogonal_frame_field()`
 */
 template <typename TriangleMesh, typename PrescribedRotationMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap omega_map,
+Result prescribe_rotation(const TriangleMesh& tm, PrescribedRotationMap prescribed_rotation_map,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
   const internal::Options options = internal::options_from(np);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(options, cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(options, stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   std::vector<double> omega;
   result = internal::to_result(cut_mesh, internal::prescribe_rotation<Concurrency_tag>(
     cut_mesh.surface(), options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), omega));
   if(result)
-    internal::write_on_dual_edges(cut_mesh, omega, omega_map);
+    internal::write_on_dual_edges(cut_mesh, omega, prescribed_rotation_map);
   return result;
 }
 

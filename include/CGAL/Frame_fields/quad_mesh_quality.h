@@ -14,8 +14,10 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_quality.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/quads/Face_graph_polygons.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -33,7 +35,6 @@ measures a quad mesh, so that quad meshes can be compared.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param qm the mesh; its faces need not all be quads
-\param quality is set on success
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -58,6 +59,16 @@ measures a quad mesh, so that quad meshes can be compared.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{quality}
+    \cgalParamDescription{gets the figures}
+    \cgalParamType{`std::reference_wrapper<Quad_quality>`, that is `std::ref(q)` for an object `q` of type
+                   `Quad_quality`}
+    \cgalParamDefault{they are not told}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 \return `OK`, `ERROR_MESH_TOO_LARGE` or `ERROR_NON_FINITE_COORDINATE`
 
 \cgalBigO{n} for \f$ n \f$ faces.
@@ -65,13 +76,13 @@ measures a quad mesh, so that quad meshes can be compared.
 \sa `frame_field_quality()`
 */
 template <typename QuadMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result quad_mesh_quality(const QuadMesh& qm, Quad_quality& quality,
-                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+Result quad_mesh_quality(const QuadMesh& qm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   internal::Polygon_mesh polygons;
   const Result result = internal::Face_graph_polygons<QuadMesh, CGAL_NP_CLASS>(qm, np).read(polygons);
   if(result)
-    quality = internal::measure_quads(polygons);
+    internal::give_to_caller(internal::measure_quads(polygons),
+                             CGAL::parameters::get_parameter(np, internal::quality));
   return result;
 }
 

@@ -14,15 +14,14 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Refinement_statistics.h>
-#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Coplanar_flips.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Longest_edge_splits.h>
 #include <CGAL/Frame_fields/internal/surface/coordinate_rounding.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -48,19 +47,11 @@ Result read_for_refinement(const TriangleMesh& tm, const Mesh& mesh, std::vector
   for(const auto v : vertices(tm))
   {
     points.push_back(mesh.coordinates(v));
-    const Coordinates& p = points.back();
-    if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if(!is_finite(points.back()))
       return failure(ERROR_NON_FINITE_COORDINATE,
                      "vertex " + std::to_string(points.size() - 1) + " of vertices(tm)");
   }
-  std::size_t number = 0;
-  for(const auto f : faces(tm))
-  {
-    if(!CGAL::is_triangle(halfedge(f, tm), tm))
-      return failure(ERROR_NON_TRIANGULAR_MESH, "face " + std::to_string(number) + " of faces(tm)");
-    ++number;
-  }
-  return {};
+  return mesh.check_triangles();
 }
 
 // A number of faces that the refined mesh has at least: a triangle with edges up to `length` has at most the area of
@@ -74,8 +65,7 @@ double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const dou
     const auto h = halfedge(f, tm);
     const Coordinates p = mesh.coordinates(source(h, tm)), q = mesh.coordinates(target(h, tm));
     const Coordinates r = mesh.coordinates(target(next(h, tm), tm));
-    const Coordinates pq{ (q[0] - p[0]) / length, (q[1] - p[1]) / length, (q[2] - p[2]) / length };
-    const Coordinates pr{ (r[0] - p[0]) / length, (r[1] - p[1]) / length, (r[2] - p[2]) / length };
+    const Coordinates pq = (q - p) / length, pr = (r - p) / length;
     number_by_area += internal::length(cross(pq, pr)) * 2 / std::sqrt(3.);
     number_of_edges += internal::length(pq) + internal::length(pr) + distance(pq, pr);
   }
@@ -103,13 +93,6 @@ void flip_and_split(TriangleMesh& tm, const Flips& flips, Splits& splits, const 
     statistics.number_of_splits += splits.split_down_to(length, changed);
     statistics.number_of_flips += flips(changed, length, add);
   }
-}
-
-inline void write_refinement_statistics(const Refinement_statistics&, CGAL::internal_np::Param_not_found) {}
-template <typename Reference>
-void write_refinement_statistics(const Refinement_statistics& statistics, const Reference reference)
-{
-  reference.get() = statistics;
 }
 
 } // namespace internal
@@ -231,7 +214,7 @@ Result refine_triangles(TriangleMesh& tm, const double maximum_edge_length,
   internal::Longest_edge_splits<TriangleMesh, CGAL_NP_CLASS, decltype(is_in_plane)> splits(
     tm, mesh, maximum_edge_length, is_in_plane);
   internal::flip_and_split(tm, flips, splits, maximum_edge_length, statistics);
-  internal::write_refinement_statistics(statistics, get_parameter(np, internal::statistics));
+  internal::give_to_caller(statistics, get_parameter(np, internal::statistics));
   return {};
 }
 

@@ -13,11 +13,13 @@
 #define CGAL_FRAME_FIELDS_RELAX_FRAME_FIELD_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -39,18 +41,18 @@ along the edge stays. Where \f$ |\rho_i| \f$ then exceeds the maximum skewness, 
 angle until it does not; in a face with a constrained edge only the free pair is. The matching and the singularity
 indices stay what they are.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `WritablePropertyMap` with
+\tparam SkewnessMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
 \param alpha_map holds the orthogonal field of `orthogonal_frame_field()` and gets the angle of the first branch of the
        relaxed one, in radians
-\param rho_map gets the skewness: the branches of a face stand at \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$
-       and \f$ \alpha + 3\pi/2 + \rho \f$
+\param skewness_map gets the skewness: the branches of a face stand at
+       \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -105,9 +107,9 @@ indices stay what they are.
   \cgalParamNEnd
   \cgalParamNBegin{orthogonality_length}
     \cgalParamDescription{the length over which skewness fades out, in place of `orthogonality_weight`, if the weights
-                          are not `UNIFORM_WEIGHTS`: \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a
-                          face of area \f$ A_i \f$}
-    \cgalParamType{`double`, a length of the mesh; a value that is not positive stands for the default}
+                          are not `Edge_weighting::UNIFORM`:
+                          \f$ \epsilon_i = A_i / (\sqrt 3 \cdot \mathrm{length}^2) \f$ for a face of area \f$ A_i \f$}
+    \cgalParamType{`double`, a length of the mesh, positive, or `std::optional<double>`}
     \cgalParamDefault{a quarter of the square root of the area of the patch}
   \cgalParamNEnd
   \cgalParamNBegin{guiding_direction_map}
@@ -121,7 +123,8 @@ indices stay what they are.
   \cgalParamNBegin{guiding_weight_map}
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
-                          weights other than `UNIFORM_WEIGHTS` it is multiplied by the area of the face divided by
+                          weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
+                          by
                           \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, twice it is the
                           factor of the squared angle to the nearest branch pair.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -140,7 +143,7 @@ indices stay what they are.
   \cgalParamNBegin{edge_weighting}
     \cgalParamDescription{the weights of the edges in all sums}
     \cgalParamType{`Edge_weighting`}
-    \cgalParamDefault{`UNIFORM_WEIGHTS`}
+    \cgalParamDefault{`Edge_weighting::UNIFORM`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
@@ -173,17 +176,18 @@ most two for each face, and one solve.
 
 \sa `cad_frame_field()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
   const internal::Options options = internal::options_from(np);
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(options, cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(options, stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   std::vector<double> alpha;
   std::vector<int> matching;
@@ -201,7 +205,7 @@ Result relax_frame_field(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
     internal::order_faces<Concurrency_tag>(cut_mesh.surface(), solver_traits), solver_traits, gamma,
     number_of_clamped_faces));
   if(result)
-    internal::write_relaxed_field(cut_mesh, alpha, gamma, alpha_map, rho_map);
+    internal::write_relaxed_field(cut_mesh, alpha, gamma, alpha_map, skewness_map);
   return result;
 }
 

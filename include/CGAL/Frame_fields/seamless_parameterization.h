@@ -14,12 +14,13 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Seamless_map_status.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/seamless_map_output.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -44,10 +45,10 @@ patch is <I>exactly</I>, without rounding errors,
 This is proved for each patch from its points alone, in integers. A patch for which the proof fails is reported, and all
 its corners are at the origin. Nothing ties different patches to one another, nor the two sides of a feature edge.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `ReadablePropertyMap` with
+\tparam SkewnessMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -60,7 +61,7 @@ its corners are at the origin. Nothing ties different patches to one another, no
 
 \param tm the mesh
 \param alpha_map the angle of the first branch of each face, in radians
-\param rho_map the skewness of each face, in radians
+\param skewness_map the skewness of each face, in radians
 \param matching_map the matching \f$ p_{ij} \f$
 \param index_map four times the index of the sector of the corner at the target of each halfedge
 \param uv_map gets the point of the corner at the target of each halfedge in the chart of its face, and the origin on
@@ -132,26 +133,28 @@ first solution is not injective need up to some hundred solves more, and a few o
 \sa `cad_frame_field()`
 \sa `singularity_indices()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap, typename IndexMap,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap, typename IndexMap,
           typename UvMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
+Result seamless_parameterization(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map,
+                                 MatchingMap matching_map,
                                  IndexMap index_map, UvMap uv_map,
                                  const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   typedef typename internal::Concurrency_from<CGAL_NP_CLASS>::type Concurrency_tag;
 
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = internal::check_and_cut(options, cut_mesh);
+  Result result = internal::check_and_cut(options, stage_mesh);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho, target_length;
   std::vector<int> matching, index;
   if(result)
-    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
+    result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, alpha, rho, matching);
   if(result)
     result = internal::check_skewness(cut_mesh, rho);
   if(result)
-    result = internal::read_indices(cut_mesh, alpha_map, rho_map, matching, index_map, index);
+    result = internal::read_indices(cut_mesh, alpha_map, skewness_map, matching, index_map, index);
   if(result)
     result = internal::read_target_length(cut_mesh, np, target_length);
   if(!result)

@@ -13,7 +13,7 @@
 #define CGAL_FRAME_FIELDS_SHARP_CORNERS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
@@ -33,7 +33,7 @@ lists the sharp corners of a mesh: the sectors on constrained edges whose total 
 
 Faces with several constrained edges are accepted. A sector angle does not change when such a face is split.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam OutputIterator a model of `OutputIterator` that accepts
        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -84,10 +84,12 @@ Result sharp_corners(const TriangleMesh& tm, OutputIterator out,
   Result result = internal::check(options);
   if(!result)
     return result;
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  result = cut_mesh.build(options, true);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  const bool accepts_overconstrained_faces = true;
+  result = stage_mesh.cut(options, accepts_overconstrained_faces);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   internal::write_sectors(cut_mesh, [&]()
   {
     return internal::sharp_corners_of_surface(cut_mesh.surface(), options.sharp_corner_bound);

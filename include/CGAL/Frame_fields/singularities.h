@@ -13,9 +13,9 @@
 #define CGAL_FRAME_FIELDS_SINGULARITIES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 
@@ -61,7 +61,7 @@ struct Singularity
 
 lists the sectors of a frame field whose index is not 0, with their places and their distances to the features.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam IndexMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
 \tparam OutputIterator a model of `OutputIterator` that accepts
@@ -106,15 +106,18 @@ template <typename TriangleMesh, typename IndexMap, typename OutputIterator, typ
 Result singularities(const TriangleMesh& tm, IndexMap index_map, OutputIterator out,
                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  const Result result = cut_mesh.build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  const Result result = stage_mesh.cut(options, accepts_overconstrained_faces);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   const internal::Cut_surface& surface = cut_mesh.surface();
-  std::vector<Singularity<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> > found;
+  typedef typename internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS>::Triangle_mesh Triangle_mesh;
+  std::vector<Singularity<typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor> > found;
   for(const internal::Patch& patch : surface.patches)
   {
     const bool has_constrained_sector = internal::has_constrained_sector(surface, patch);

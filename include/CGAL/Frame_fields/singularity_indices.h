@@ -13,10 +13,11 @@
 #define CGAL_FRAME_FIELDS_SINGULARITY_INDICES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -40,7 +41,7 @@ and \f$ 2 - 4I \f$ at one that is. So an index of 0 is regular, \f$ 1/4 \f$ stan
 inner vertex of valence 3, and a sector on a constrained edge with an index of \f$ 1/2 \f$ or more cannot be meshed. The
 indices of a patch sum to its Euler characteristic.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
@@ -100,10 +101,11 @@ template <typename TriangleMesh, typename AlphaMap, typename MatchingMap, typena
 Result singularity_indices(const TriangleMesh& tm, AlphaMap alpha_map, MatchingMap matching_map, IndexMap index_map,
                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
-  Result result = internal::check_and_cut(internal::options_from(np), cut_mesh);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
+  Result result = internal::check_and_cut(internal::options_from(np), stage_mesh);
   if(!result)
     return result;
+  const auto& cut_mesh = stage_mesh.cut_mesh();
 
   std::vector<double> alpha;
   std::vector<int> matching, index;

@@ -12,7 +12,11 @@
 #ifndef CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
 #define CGAL_FRAME_FIELDS_SPLIT_CHORDS_H
 
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Refinement_statistics.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Named_function_parameters.h>
@@ -26,6 +30,38 @@
 
 namespace CGAL {
 namespace Frame_fields {
+
+namespace internal {
+
+// Returns the number of edges that were split. All faces must be triangles.
+template <typename TriangleMesh, typename NamedParameters>
+std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+
+  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
+  {
+    for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
+      if(mesh.is_constrained(around))
+        return true;
+    return false;
+  };
+  std::vector<halfedge_descriptor> chords;
+  for(const auto e : edges(tm))
+  {
+    const halfedge_descriptor h = halfedge(e, tm);
+    if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
+      chords.push_back(h);
+  }
+
+  mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
+
+  for(const halfedge_descriptor h : chords)
+    mesh.split_edge_with_faces(h);
+  return chords.size();
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef
@@ -64,9 +100,17 @@ The surface does not change.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of edges that were split
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{gets the number of edges that were split, as `number_of_splits`}
+    \cgalParamType{`std::reference_wrapper<Refinement_statistics>`}
+    \cgalParamDefault{it is not told}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
-\exception std::invalid_argument if a face is not a triangle; its message names the face, and \c tm is unchanged
+\return `OK` or `ERROR_NON_TRIANGULAR_MESH`; \c tm is unchanged if it is not `OK`
+
 \exception std::bad_alloc if memory is exhausted; a \c %Surface_mesh is unchanged then
 
 \cgalBigO{n} for \f$ n \f$ faces.
@@ -75,32 +119,16 @@ The surface does not change.
 \sa `split_overconstrained_faces()`
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+Result split_chords(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
   const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
-  mesh.check_triangles("split_chords");
-  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
-  {
-    for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
-      if(mesh.is_constrained(around))
-        return true;
-    return false;
-  };
-  std::vector<halfedge_descriptor> chords;
-  for(const auto e : edges(tm))
-  {
-    const halfedge_descriptor h = halfedge(e, tm);
-    if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
-      chords.push_back(h);
-  }
-
-  mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
-
-  for(const halfedge_descriptor h : chords)
-    mesh.split_edge_with_faces(h);
-  return chords.size();
+  const Result result = mesh.check_triangles();
+  if(!result)
+    return result;
+  Refinement_statistics statistics;
+  statistics.number_of_splits = internal::split_chords_of(tm, mesh);
+  internal::give_to_caller(statistics, CGAL::parameters::get_parameter(np, internal::statistics));
+  return {};
 }
 
 } // namespace Frame_fields

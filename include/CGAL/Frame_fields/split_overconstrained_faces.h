@@ -12,7 +12,11 @@
 #ifndef CGAL_FRAME_FIELDS_SPLIT_OVERCONSTRAINED_FACES_H
 #define CGAL_FRAME_FIELDS_SPLIT_OVERCONSTRAINED_FACES_H
 
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Refinement_statistics.h>
+#include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Named_function_parameters.h>
@@ -39,6 +43,38 @@ Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTra
   return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
 }
 
+// Returns the number of faces that were split. All must be triangles.
+template <typename TriangleMesh, typename NamedParameters>
+std::size_t split_faces_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+
+  // One halfedge of each face, kept apart from the changing face range.
+  std::vector<halfedge_descriptor> overconstrained;
+  for(const auto f : faces(tm))
+  {
+    const halfedge_descriptor h = halfedge(f, tm);
+    if(mesh.is_constrained(h) + mesh.is_constrained(next(h, tm)) + mesh.is_constrained(prev(h, tm)) > 1)
+      overconstrained.push_back(h);
+  }
+
+  mesh.reserve_for(overconstrained.size(), 3 * overconstrained.size(), 2 * overconstrained.size());
+  for(const halfedge_descriptor h : overconstrained)
+  {
+    const auto center = point_inside(mesh.point(source(h, tm)), mesh.point(target(h, tm)),
+                                               mesh.point(target(next(h, tm), tm)), mesh.traits());
+    const halfedge_descriptor to_center = CGAL::Euler::add_center_vertex(h, tm);
+    mesh.set_point(target(to_center, tm), center);
+    halfedge_descriptor spoke = to_center;
+    do
+    {
+      mesh.mark_unconstrained(spoke);
+      spoke = opposite(next(spoke, tm), tm);
+    } while(spoke != to_center);
+  }
+  return overconstrained.size();
+}
+
 } // namespace internal
 
 /*!
@@ -49,7 +85,7 @@ constrained edge, as all other functions of this package require (Section 3.3 of
 degenerate face whose centroid is one of its vertices it takes another point inside.
 
 A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. Only
-this function, `split_chords()` and `prepare_for_frame_field()`, which calls both, modify a mesh.
+this function, `split_chords()`, `prepare_for_frame_field()`, which does both, and `refine_triangles()` change a mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -79,9 +115,18 @@ this function, `split_chords()` and `prepare_for_frame_field()`, which calls bot
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of faces that were split
+\cgalNamedParamsBegin{Output Named Parameters}
+  \cgalParamNBegin{statistics}
+    \cgalParamDescription{gets the number of faces that were split, as
+                          `number_of_split_faces`}
+    \cgalParamType{`std::reference_wrapper<Refinement_statistics>`}
+    \cgalParamDefault{it is not told}
+    \cgalParamExtra{Set on success only.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
-\exception std::invalid_argument if a face is not a triangle; its message names the face, and \c tm is unchanged
+\return `OK` or `ERROR_NON_TRIANGULAR_MESH`; \c tm is unchanged if it is not `OK`
+
 \exception std::bad_alloc if memory is exhausted; a \c %Surface_mesh is unchanged then
 
 \cgalBigO{n} for \f$ n \f$ faces.
@@ -90,37 +135,16 @@ this function, `split_chords()` and `prepare_for_frame_field()`, which calls bot
 \sa `split_chords()`
 */
 template <typename TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t split_overconstrained_faces(TriangleMesh& tm,
-                                        const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+Result split_overconstrained_faces(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
   const internal::Editable_mesh<TriangleMesh, CGAL_NP_CLASS> mesh(tm, np);
-  mesh.check_triangles("split_overconstrained_faces");
-  // One halfedge of each face, kept apart from the changing face range.
-  std::vector<halfedge_descriptor> overconstrained;
-  for(const auto f : faces(tm))
-  {
-    const halfedge_descriptor h = halfedge(f, tm);
-    if(mesh.is_constrained(h) + mesh.is_constrained(next(h, tm)) + mesh.is_constrained(prev(h, tm)) > 1)
-      overconstrained.push_back(h);
-  }
-
-  mesh.reserve_for(overconstrained.size(), 3 * overconstrained.size(), 2 * overconstrained.size());
-  for(const halfedge_descriptor h : overconstrained)
-  {
-    const auto center = internal::point_inside(mesh.point(source(h, tm)), mesh.point(target(h, tm)),
-                                               mesh.point(target(next(h, tm), tm)), mesh.traits());
-    const halfedge_descriptor to_center = CGAL::Euler::add_center_vertex(h, tm);
-    mesh.set_point(target(to_center, tm), center);
-    halfedge_descriptor spoke = to_center;
-    do
-    {
-      mesh.mark_unconstrained(spoke);
-      spoke = opposite(next(spoke, tm), tm);
-    } while(spoke != to_center);
-  }
-  return overconstrained.size();
+  const Result result = mesh.check_triangles();
+  if(!result)
+    return result;
+  Refinement_statistics statistics;
+  statistics.number_of_split_faces = internal::split_faces_of(tm, mesh);
+  internal::give_to_caller(statistics, CGAL::parameters::get_parameter(np, internal::statistics));
+  return {};
 }
 
 } // namespace Frame_fields

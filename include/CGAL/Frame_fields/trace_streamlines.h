@@ -15,12 +15,13 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_options.h>
 #include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/streamlines/streamline_output.h>
 #include <CGAL/Frame_fields/parameters.h>
@@ -49,10 +50,10 @@ In a face a streamline is straight. Across an edge it goes on along the branch t
 constrained edges, at singular sectors, at its maximum length, where it closes up, and where it comes too near to
 another line of its branch pair or to itself.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
-\tparam RhoMap a class model of `ReadablePropertyMap` with
+\tparam SkewnessMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type
 \tparam MatchingMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int` as value type
@@ -63,7 +64,7 @@ another line of its branch pair or to itself.
 
 \param tm the mesh
 \param alpha_map the angle of the first branch of each face, in radians
-\param rho_map the skewness of each face, in radians
+\param skewness_map the skewness of each face, in radians
 \param matching_map the matching \f$ p_{ij} \f$
 \param out gets the streamlines, patch by patch
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -90,7 +91,7 @@ another line of its branch pair or to itself.
   \cgalParamNBegin{streamline_spacing}
     \cgalParamDescription{the distance of streamlines of a branch pair where they run side by side, and from constrained
                           edges that the field is aligned with}
-    \cgalParamType{`double`, a length}
+    \cgalParamType{`double`, a length, or `std::optional<double>`}
     \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-3} \f$ of its longest edge if that
                       is more}
     \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and a square of it at least
@@ -126,19 +127,21 @@ not much longer than wide and lines are separated.
 \sa `cad_frame_field()`
 \sa `frame_vectors()`
 */
-template <typename TriangleMesh, typename AlphaMap, typename RhoMap, typename MatchingMap, typename OutputIterator,
+template <typename TriangleMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap, typename OutputIterator,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_map, MatchingMap matching_map,
+Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewness_map, MatchingMap matching_map,
                          OutputIterator out, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Cut_mesh<TriangleMesh, CGAL_NP_CLASS> cut_mesh(tm, np);
+  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> stage_mesh(tm, np);
   internal::Options options = internal::options_from(np);
   options.measures_lengths = true;
-  Result result = cut_mesh.build(options, true);
+  const bool accepts_overconstrained_faces = true;
+  Result result = stage_mesh.cut(options, accepts_overconstrained_faces);
+  const auto& cut_mesh = stage_mesh.cut_mesh();
   std::vector<double> alpha, rho;
   std::vector<int> matching;
   if(result)
-    result = internal::read_field(cut_mesh, alpha_map, rho_map, matching_map, alpha, rho, matching);
+    result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, alpha, rho, matching);
   if(!result)
     return result;
 
@@ -149,15 +152,14 @@ Result trace_streamlines(const TriangleMesh& tm, AlphaMap alpha_map, RhoMap rho_
   if(!result)
     return result;
   typedef typename internal::Given_concurrency<CGAL_NP_CLASS>::type Concurrency_tag;
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, CGAL_NP_CLASS>::type Geom_traits;
-  const Geom_traits traits = CGAL::parameters::choose_parameter<Geom_traits>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> Stage_mesh;
+  typedef typename boost::graph_traits<typename Stage_mesh::Triangle_mesh>::face_descriptor face_descriptor;
+  typedef typename Stage_mesh::Geom_traits::Point_3 Point_3;
   const internal::Branch_directions directions(surface, alpha, rho, matching);
-  std::vector<Streamline<typename Geom_traits::Point_3, face_descriptor> > output; // all of it, or an exception
+  std::vector<Streamline<Point_3, face_descriptor> > output; // all of it, or an exception
   for(const auto& streamlines : internal::trace_in_patches<Concurrency_tag>(charts, directions, streamline_options))
     for(const internal::Traced_streamline& streamline : streamlines)
-      output.push_back(internal::to_streamline(tm, cut_mesh, directions, streamline, traits));
+      output.push_back(internal::to_streamline(cut_mesh, directions, streamline, stage_mesh.traits()));
   std::move(output.begin(), output.end(), out);
   return {};
 }

@@ -66,7 +66,7 @@ Fuzz_parameters read_parameters(Byte_reader& bytes)
   Fuzz_parameters result;
   result.support_strategy = read_support_strategy(bytes);
   const unsigned int flags = bytes.byte();
-  result.edge_weighting = (flags & 1) ? FF::PRIMAL_OVER_DUAL_LENGTH : FF::UNIFORM_WEIGHTS;
+  result.edge_weighting = (flags & 1) ? FF::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH : FF::Edge_weighting::UNIFORM;
   result.relaxes = !(flags & 2);
   result.repairs = !(flags & 4);
   result.splits_chords = flags & 8;

@@ -31,7 +31,7 @@ private:
 struct Fuzz_parameters
 {
   CGAL::Frame_fields::Support_strategy support_strategy = CGAL::Frame_fields::Support_strategy::none();
-  CGAL::Frame_fields::Edge_weighting edge_weighting = CGAL::Frame_fields::UNIFORM_WEIGHTS;
+  CGAL::Frame_fields::Edge_weighting edge_weighting = CGAL::Frame_fields::Edge_weighting::UNIFORM;
   double sharp_corner_bound = 0, maximum_skewness = 0, orthogonality_weight = 0, orthogonality_length = 0;
   bool relaxes = true, repairs = true, splits_chords = false, splits_overconstrained_faces = true, is_guided = false,
        has_index_targets = false;

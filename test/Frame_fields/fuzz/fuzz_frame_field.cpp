@@ -127,8 +127,9 @@ private:
   {
     const double bound = m_parameters.sharp_corner_bound, skewness = m_parameters.maximum_skewness;
     const double weight = m_parameters.orthogonality_weight;
+    const double length = m_parameters.orthogonality_length; // 0 stands for the default
     return bound >= 0 && std::isfinite(bound) && skewness >= 0 && skewness < CGAL_PI / 2 && weight >= 0
-        && std::isfinite(weight) && std::isfinite(m_parameters.orthogonality_length);
+        && std::isfinite(weight) && length >= 0 && std::isfinite(length);
   }
 
   const Fuzz_parameters& m_parameters;
@@ -158,8 +159,9 @@ void check_vectors(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, const
   };
   const Maps<Mesh> read(mesh);
   double misalignment = sentinel;
-  const FF::Result result = FF::frame_field_from_vectors(mesh, branch(0), branch(1), read.alpha, read.rho,
-                                                         read.matching, misalignment, cad_mesh.features());
+  const FF::Result result = FF::frame_field_from_vectors(
+    mesh, branch(0), branch(1), read.alpha, read.rho, read.matching,
+    cad_mesh.features().maximum_misalignment(std::ref(misalignment)));
   expect(bool(result), "vectors are read: " + result.message);
   expect(misalignment < 1e-9, "vectors are aligned");
   for(const Face f : faces(mesh))
@@ -183,8 +185,9 @@ void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
 {
   const Mesh& mesh = cad_mesh.mesh;
   std::vector<FF::Streamline<Point, Face> > lines;
-  // The length of the longest edge may be infinite, but 0 stands for the default on all meshes.
-  const double spacing = fuzz_parameters.have_default_spacing() ? 0 : fuzz_parameters.spacing * longest_edge(mesh);
+  const double given = fuzz_parameters.spacing * longest_edge(mesh);
+  const std::optional<double> spacing =
+    fuzz_parameters.have_default_spacing() ? std::nullopt : std::optional<double>(given);
   const FF::Result result = FF::trace_streamlines(
     mesh, maps.alpha, maps.rho, maps.matching, std::back_inserter(lines),
     cad_mesh.features().streamline_spacing(spacing)
@@ -244,7 +247,8 @@ void check_spoilt_field(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, 
   expect_answer(indices, hold_sentinels(mesh, output));
   FF::Field_quality quality;
   quality.energy = sentinel;
-  const FF::Result measured = FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, features);
+  const FF::Result measured = FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching,
+                                                       features.quality(std::ref(quality)));
   expect_answer(measured, quality.energy == sentinel);
   std::vector<FF::Streamline<Point, Face> > lines;
   const FF::Result traced =
@@ -312,7 +316,8 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   }
 
   FF::Field_quality quality;
-  expect(bool(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, quality, np)), "it is measured");
+  expect(bool(FF::frame_field_quality(mesh, maps.alpha, maps.rho, maps.matching, np.quality(std::ref(quality)))),
+         "it is measured");
   std::vector<FF::Singularity<Halfedge> > found;
   expect(bool(FF::singularities(mesh, maps.index, std::back_inserter(found), np)), "singularities are listed");
   for(const std::array<Vector, 4>& branches : field.branches)
@@ -331,7 +336,8 @@ void check_feature_detection(const Cad_mesh<Mesh>& cad_mesh, const Feature_param
   for(const auto e : edges(mesh))
     put(is_feature, e, sentinel);
   const FF::Result result = FF::detect_feature_edges(
-    mesh, is_feature, parameters::strong_angle(fuzz_parameters.strong_angle).weak_angle(fuzz_parameters.weak_angle)
+    mesh, is_feature, parameters::strong_angle_in_degrees(fuzz_parameters.strong_angle)
+                        .weak_angle_in_degrees(fuzz_parameters.weak_angle)
                         .minimum_chain_length(fuzz_parameters.minimum_chain_length)
                         .close_gaps(fuzz_parameters.closes_gaps));
   const auto points = vertices(mesh);
@@ -370,9 +376,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
 
   const auto features = cad_mesh.features();
   if(fuzz_parameters.splits_chords)
-    FF::split_chords(cad_mesh.mesh, features);
+    expect(bool(FF::split_chords(cad_mesh.mesh, features)), "chords of triangles are split");
   if(fuzz_parameters.splits_overconstrained_faces)
-    FF::split_overconstrained_faces(cad_mesh.mesh, features);
+    expect(bool(FF::split_overconstrained_faces(cad_mesh.mesh, features)), "triangles are split");
 
   const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
   check_feature_detection(cad_mesh, read_feature_parameters(bytes));
@@ -381,7 +387,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
                           .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
                           .maximum_skewness(fuzz_parameters.maximum_skewness)
                           .orthogonality_weight(fuzz_parameters.orthogonality_weight)
-                          .orthogonality_length(fuzz_parameters.orthogonality_length)
+                          .orthogonality_length(fuzz_parameters.orthogonality_length == 0
+                                                ? std::nullopt
+                                                : std::optional<double>(fuzz_parameters.orthogonality_length))
                           .relax_orthogonality(fuzz_parameters.relaxes)
                           .repair_matching(fuzz_parameters.repairs)
                           .index_target_map(guidance.target);

@@ -80,11 +80,12 @@ inline Compared_figures compare_field(const Options& options, const std::vector<
   const auto index = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
   const auto np = CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature);
   Compared_figures result;
-  check(CGAL::Frame_fields::frame_field_from_vectors(mesh, u, v, alpha, rho, matching, result.maximum_misalignment,
-                                                     np));
+  check(CGAL::Frame_fields::frame_field_from_vectors(
+    mesh, u, v, alpha, rho, matching, np.maximum_misalignment(std::ref(result.maximum_misalignment))));
   check(CGAL::Frame_fields::singularity_indices(mesh, alpha, matching, index, np.skewness_map(rho)));
-  check(CGAL::Frame_fields::frame_field_quality(mesh, alpha, rho, matching, result.quality,
-                                                np.edge_weighting(options.edge_weighting)));
+  check(CGAL::Frame_fields::frame_field_quality(mesh, alpha, rho, matching,
+                                                np.edge_weighting(options.edge_weighting)
+                                                  .quality(std::ref(result.quality))));
   count_indices(all_sectors, index, result.interior_indices, result.constrained_indices);
   result.number_of_unmeshable_sectors = find_unmeshable_sectors(mesh, is_feature, all_sectors, index).size();
   return result;

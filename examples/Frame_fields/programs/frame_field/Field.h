@@ -53,9 +53,10 @@ inline Field compute_field(Model& model, const Feature_map is_feature, const Opt
                                               parameters::join(np, field_parameters)), options);
   });
   if(options.is_verbose)
-    check(CGAL::Frame_fields::frame_field_quality(mesh, field.alpha, field.rho, field.matching, field.quality,
+    check(CGAL::Frame_fields::frame_field_quality(mesh, field.alpha, field.rho, field.matching,
                                                   parameters::edge_is_constrained_map(is_feature)
-                                                    .edge_weighting(options.edge_weighting)),
+                                                    .edge_weighting(options.edge_weighting)
+                                                    .quality(std::ref(field.quality))),
           options);
   return field;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/tags.h>
 
 #include <iterator>
+#include <optional>
 #include <vector>
 
 typedef CGAL::Frame_fields::Streamline<Point, Face> Streamline;
@@ -21,13 +22,15 @@ inline std::vector<Streamline> streamlines(const Mesh& mesh, const Feature_map i
                                            const Options& options)
 {
   std::vector<Streamline> result;
-  if(options.streamline_spacing)
-    check(CGAL::Frame_fields::trace_streamlines(mesh, field.alpha, field.rho, field.matching,
-                                                std::back_inserter(result),
-                                                CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature)
-                                                  .streamline_spacing(*options.streamline_spacing)
-                                                  .concurrency_tag(CGAL::Parallel_if_available_tag())),
-          options);
+  if(!options.streamline_spacing)
+    return result;
+  const double given = *options.streamline_spacing;
+  const std::optional<double> spacing = given > 0 ? std::optional<double>(given) : std::nullopt;
+  check(CGAL::Frame_fields::trace_streamlines(mesh, field.alpha, field.rho, field.matching, std::back_inserter(result),
+                                              CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature)
+                                                .streamline_spacing(spacing)
+                                                .concurrency_tag(CGAL::Parallel_if_available_tag())),
+        options);
   return result;
 }
 

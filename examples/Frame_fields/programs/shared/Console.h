@@ -57,11 +57,11 @@ struct Stage_visitor : CGAL::Frame_fields::Default_frame_field_visitor
   {
     switch(stage)
     {
-      case CGAL::Frame_fields::CUT_SURFACE:          return "cutting the surface along its features";
-      case CGAL::Frame_fields::PRESCRIBED_ROTATION:  return "prescribing rotation at sharp corners";
-      case CGAL::Frame_fields::ORTHOGONAL_FIELD:     return "solving for the orthogonal field";
-      case CGAL::Frame_fields::MATCHING_AND_INDICES: return "matching branches";
-      case CGAL::Frame_fields::RELAXATION:           return "relaxing orthogonality";
+      case CGAL::Frame_fields::Stage::CUT_SURFACE:          return "cutting the surface along its features";
+      case CGAL::Frame_fields::Stage::PRESCRIBED_ROTATION:  return "prescribing rotation at sharp corners";
+      case CGAL::Frame_fields::Stage::ORTHOGONAL_FIELD:     return "solving for the orthogonal field";
+      case CGAL::Frame_fields::Stage::MATCHING_AND_INDICES: return "matching branches";
+      case CGAL::Frame_fields::Stage::RELAXATION:           return "relaxing orthogonality";
     }
     return "";
   }

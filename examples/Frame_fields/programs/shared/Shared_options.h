@@ -79,9 +79,9 @@ inline CGAL::Frame_fields::Support_strategy support_strategy_from(const std::str
 inline CGAL::Frame_fields::Edge_weighting edge_weighting_from(const std::string& text)
 {
   if(text == "uniform")
-    return CGAL::Frame_fields::UNIFORM_WEIGHTS;
+    return CGAL::Frame_fields::Edge_weighting::UNIFORM;
   if(text == "geometric")
-    return CGAL::Frame_fields::PRIMAL_OVER_DUAL_LENGTH;
+    return CGAL::Frame_fields::Edge_weighting::PRIMAL_OVER_DUAL_LENGTH;
   throw Failure(BAD_USAGE, "--edge-weights is '" + text + "' and must be uniform or geometric");
 }
 

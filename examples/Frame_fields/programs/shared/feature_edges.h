@@ -78,8 +78,8 @@ inline Feature_map detect_features(const Shared_options& options, Model& model)
   const Feature_map is_feature = model.mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
   const CGAL::Frame_fields::Result result = CGAL::Frame_fields::detect_feature_edges(
     model.mesh, is_feature,
-    CGAL::Frame_fields::parameters::strong_angle(options.feature_angle)
-      .weak_angle(options.weak_angle)
+    CGAL::Frame_fields::parameters::strong_angle_in_degrees(options.feature_angle)
+      .weak_angle_in_degrees(options.weak_angle)
       .close_gaps(options.closes_gaps)
       .minimum_chain_length(options.minimum_chain_length));
   if(!result)

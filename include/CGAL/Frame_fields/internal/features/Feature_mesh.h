@@ -14,17 +14,16 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
 #include <CGAL/Frame_fields/internal/features/flat_faces.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_type_config.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,24 +32,19 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A mesh whose features are looked for: the only code of the detection that reads it.
+// A mesh whose features are looked for.
 template <typename TriangleMesh, typename NamedParameters>
-class Feature_mesh
+class Feature_mesh : private Mesh_reader<const TriangleMesh, NamedParameters>
 {
 public:
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef Mesh_reader<const TriangleMesh, NamedParameters> Reader;
+  typedef typename Reader::vertex_descriptor vertex_descriptor;
+  typedef typename Reader::halfedge_descriptor halfedge_descriptor;
+  typedef typename Reader::edge_descriptor edge_descriptor;
+  typedef typename Reader::face_descriptor face_descriptor;
 
   Feature_mesh(const TriangleMesh& tm, const NamedParameters& np)
-    : m_mesh(tm)
-    , m_points(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-        CGAL::get_const_property_map(CGAL::vertex_point, tm)))
-    , m_traits(CGAL::parameters::choose_parameter<Geom_traits>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
+    : Reader(tm, np)
     , m_vertex_number(get(CGAL::dynamic_vertex_property_t<int>(), tm))
     , m_edge_number(get(CGAL::dynamic_edge_property_t<int>(), tm))
     , m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
@@ -103,8 +97,8 @@ public:
   const std::vector<edge_descriptor>& edge_descriptors() const { return m_edges; }
 
 private:
-  typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
+  using Reader::m_mesh;
+
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::const_type
     Vertex_number_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type Edge_number_map;
@@ -119,7 +113,7 @@ private:
     {
       put(m_vertex_number, v, graph.number_of_vertices());
       m_vertices.push_back(v);
-      graph.points.push_back(coordinates_of(get(m_points, v), m_traits));
+      graph.points.push_back(this->coordinates(v));
     }
   }
 
@@ -137,10 +131,9 @@ private:
       {
         face_vertices[k] = number_of(source(h, m_mesh));
         face_edges[k] = number_of(edge(h, m_mesh));
-        for(const double coordinate : graph.points[face_vertices[k]])
-          if(!std::isfinite(coordinate))
-            return failure(ERROR_NON_FINITE_COORDINATE,
-                           "vertex " + std::to_string(face_vertices[k]) + " of vertices(tm)");
+        if(!is_finite(graph.points[face_vertices[k]]))
+          return failure(ERROR_NON_FINITE_COORDINATE,
+                         "vertex " + std::to_string(face_vertices[k]) + " of vertices(tm)");
       }
       feature_faces.vertices.push_back(face_vertices);
       feature_faces.edges.push_back(face_edges);
@@ -150,9 +143,6 @@ private:
     return {};
   }
 
-  const TriangleMesh& m_mesh;
-  Vertex_point_map m_points;
-  Geom_traits m_traits;
   Vertex_number_map m_vertex_number;
   Edge_number_map m_edge_number;
   Face_number_map m_face_number;

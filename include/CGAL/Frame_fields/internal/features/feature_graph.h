@@ -11,7 +11,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FEATURE_GRAPH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FEATURE_GRAPH_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <CGAL/number_type_config.h>
 

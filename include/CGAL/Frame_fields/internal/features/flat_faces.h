@@ -13,13 +13,14 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FEATURES_FLAT_FACES_H
 
 #include <CGAL/Frame_fields/internal/features/feature_graph.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -41,12 +42,12 @@ struct Feature_faces
 class Coordinate_error
 {
 public:
-  // What is not a number stands for the default: a mesh is known to one part of its size in 2^24, as in files that hold
-  // `float`, and where all coordinates are such numbers, each of them is rounded to one.
-  Coordinate_error(const Feature_graph& graph, const Feature_faces& faces, const double given)
-    : m_least(given)
+  // If none is given, a mesh is known to one part of its size in 2^24, as in files that hold `float`, and where all
+  // coordinates are such numbers, each of them is rounded to one.
+  Coordinate_error(const Feature_graph& graph, const Feature_faces& faces, const std::optional<double>& given)
+    : m_least(given.value_or(0))
   {
-    if(!std::isnan(given))
+    if(given)
       return;
     const double float_rounding = 0x1p-24;
     double half_size = 0;

@@ -21,6 +21,7 @@
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 

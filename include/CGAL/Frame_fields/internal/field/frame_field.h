@@ -14,6 +14,8 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Statistics.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
+#include <CGAL/Frame_fields/internal/field/energies.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>
@@ -23,72 +25,15 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
-#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// Tells the visitor which stage starts and measures the stages.
-template <typename NamedParameters>
-class Stage_clock
-{
-public:
-  explicit Stage_clock(const NamedParameters& np)
-    : m_visitor(CGAL::parameters::choose_parameter<Visitor>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor)))
-    , m_start(Clock::now())
-  {}
-
-  void start(const Stage stage)
-  {
-    stop();
-    m_stage = stage;
-    unwrap(m_visitor).start_stage(stage);
-    m_stage_start = Clock::now();
-  }
-
-  void stop()
-  {
-    if(m_stage >= 0)
-      m_seconds[m_stage] += seconds_since(m_stage_start);
-    m_stage = -1;
-  }
-
-  Stage_seconds seconds() const
-  {
-    return { m_seconds[CUT_SURFACE], m_seconds[PRESCRIBED_ROTATION], m_seconds[ORTHOGONAL_FIELD],
-             m_seconds[MATCHING_AND_INDICES], m_seconds[RELAXATION], seconds_since(m_start) };
-  }
-
-private:
-  typedef std::chrono::steady_clock Clock;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                             Default_frame_field_visitor>::type Visitor;
-
-  template <typename T>
-  static T& unwrap(T& visitor) { return visitor; }
-  template <typename T>
-  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
-
-  static double seconds_since(const Clock::time_point start)
-  {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
-  Visitor m_visitor;
-  Clock::time_point m_start, m_stage_start;
-  int m_stage = -1; // -1 between stages
-  std::array<double, RELAXATION + 1> m_seconds{};
-};
 
 // What the pipeline computes; `alpha` is the orthogonal field, which `gamma` relaxes.
 struct Frame_field
@@ -106,19 +51,19 @@ template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
 Patch_result compute_frame_field(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
                                  StageClock& clock, Frame_field& field)
 {
-  clock.start(PRESCRIBED_ROTATION);
+  clock.start(Stage::PRESCRIBED_ROTATION);
   Patch_result result = prescribe_rotation<ConcurrencyTag>(surface, options, solver_traits, field.omega);
   if(result.error_code != OK)
     return result;
 
-  clock.start(ORTHOGONAL_FIELD);
+  clock.start(Stage::ORTHOGONAL_FIELD);
   // One order for both the orthogonal field and the relaxation: to find it takes as long as a factorization.
   const std::vector<int> face_order = order_faces<ConcurrencyTag>(surface, solver_traits);
   result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, face_order, solver_traits, field.alpha);
   if(result.error_code != OK)
     return result;
 
-  clock.start(MATCHING_AND_INDICES);
+  clock.start(Stage::MATCHING_AND_INDICES);
   result = compute_matching_and_indices<ConcurrencyTag>(surface, field.omega, field.alpha, options, field.matching,
                                                         field.index, field.repaired_sectors);
   if(result.error_code != OK)
@@ -129,7 +74,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     field.gamma.assign(surface.number_of_faces(), Branch_rotations{ 0, 0 });
     return {};
   }
-  clock.start(RELAXATION);
+  clock.start(Stage::RELAXATION);
   return relax<ConcurrencyTag>(surface, field.alpha, field.matching, options, face_order, solver_traits, field.gamma,
                                field.number_of_clamped_faces);
 }

@@ -22,6 +22,7 @@
 #include <CGAL/Frame_fields/internal/linear/smallest_eigenvector.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/weights.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -13,29 +13,21 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_QUALITY_H
 
 #include <CGAL/Frame_fields/Field_quality.h>
-#include <CGAL/Frame_fields/internal/field/relaxation.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// The angle of branch pair b (0 or 1) in its face.
-inline double branch_angle(const std::vector<double>& alpha, const std::vector<double>& rho, const int face,
-                           const int b)
-{
-  return b == 0 ? alpha[face] : alpha[face] + CGAL_PI / 2 + rho[face];
-}
 
 // r0 or r1 of eq. (4) of the paper.
 inline double branch_rotation(const Cut_surface& surface, const std::vector<double>& alpha,
@@ -120,28 +112,6 @@ inline Field_quality measure_quality(const Cut_surface& surface, const std::vect
     quality.mean_skewness = integral_of_skewness / total_area;
   return quality;
 }
-
-// Writes r0 and r1 on both halfedges of each dual edge, seen from the face of each, and 0 on all other halfedges.
-template <typename CutMesh, typename HalfedgeMap>
-void write_rotations(const CutMesh& cut_mesh, const std::vector<int>& matching,
-                     const std::vector<std::array<double, 2> >& rotations, const HalfedgeMap map)
-{
-  typedef std::array<double, 2> Rotations;
-  const Cut_surface& surface = cut_mesh.surface();
-  cut_mesh.for_each_halfedge([&](const auto h, int) { put(map, h, Rotations{ 0, 0 }); });
-  for(std::size_t e = 0; e < rotations.size(); ++e)
-  {
-    Rotations from_opposite;
-    for(int b = 0; b < 2; ++b)
-      from_opposite[matched_branch(b, matching[e])] = -rotations[e][b];
-    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].halfedge), rotations[e]);
-    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].opposite), from_opposite);
-  }
-}
-
-template <typename CutMesh>
-void write_rotations(const CutMesh&, const std::vector<int>&, const std::vector<std::array<double, 2> >&,
-                     const CGAL::internal_np::Param_not_found) {}
 
 } // namespace internal
 } // namespace Frame_fields

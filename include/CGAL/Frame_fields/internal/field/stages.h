@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
 #include <CGAL/Frame_fields/internal/field/closed_patch.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>

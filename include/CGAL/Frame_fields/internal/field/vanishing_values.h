@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/field/falling_values.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/weights.h>
 
 #include <algorithm>
 #include <cmath>

@@ -21,6 +21,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/quarter_turns_of_sector.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <cstddef>
 #include <utility>

@@ -13,7 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_LINEAR_ACCURATE_SOLVE_H
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
-#include <CGAL/Frame_fields/internal/linear/assemble.h>
+#include <CGAL/Frame_fields/internal/linear/conjugate.h>
 #include <CGAL/Frame_fields/internal/linear/solve.h>
 
 #include <algorithm>

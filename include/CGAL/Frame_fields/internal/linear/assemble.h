@@ -13,9 +13,9 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_LINEAR_ASSEMBLE_H
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/linear/conjugate.h>
 
 #include <algorithm>
-#include <complex>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -23,9 +23,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-inline double conjugate(const double x) { return x; }
-inline std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
 
 // Counts the entries below the diagonal of each column.
 struct Entry_counter

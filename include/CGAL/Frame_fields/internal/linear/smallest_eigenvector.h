@@ -14,7 +14,7 @@
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
 #include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
-#include <CGAL/Frame_fields/internal/linear/assemble.h>
+#include <CGAL/Frame_fields/internal/linear/conjugate.h>
 
 #include <cmath>
 #include <complex>

@@ -13,18 +13,15 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_MAPS_FIELD_MAPS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/branch_pairs.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
-#include <CGAL/Frame_fields/internal/field/stages.h>
-#include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
-#include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
-#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_type_config.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -36,13 +33,6 @@ namespace Frame_fields {
 namespace internal {
 
 // Between flat arrays and the caller's property maps and named parameters.
-
-template <typename CutMesh>
-Result check_and_cut(const Options& options, CutMesh& cut_mesh)
-{
-  const Result result = check(options);
-  return result ? cut_mesh.build(options) : result;
-}
 
 template <typename CutMesh>
 Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
@@ -106,6 +96,46 @@ void write_sectors(const CutMesh& cut_mesh, const ListSectors& list_sectors, Out
 template <typename CutMesh, typename ListSectors>
 void write_sectors(const CutMesh&, const ListSectors&, const CGAL::internal_np::Param_not_found) {}
 
+// Writes the field that the relaxation makes of `alpha`.
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap>
+void write_relaxed_field(const CutMesh& cut_mesh, const std::vector<double>& alpha,
+                         const std::vector<Branch_rotations>& gamma, const AlphaMap alpha_map,
+                         const SkewnessMap skewness_map)
+{
+  for(std::size_t f = 0; f < alpha.size(); ++f)
+  {
+    put(alpha_map, cut_mesh.face_descriptors()[f], alpha[f] + gamma[f][0]);
+    put(skewness_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
+  }
+}
+
+// Writes r0 and r1 on both halfedges of each dual edge, seen from the face of each, and 0 on all other halfedges.
+template <typename CutMesh, typename HalfedgeMap>
+void write_rotations(const CutMesh& cut_mesh, const std::vector<int>& matching,
+                     const std::vector<std::array<double, 2> >& rotations, const HalfedgeMap map)
+{
+  typedef std::array<double, 2> Rotations;
+  const Cut_surface& surface = cut_mesh.surface();
+  cut_mesh.for_each_halfedge([&](const auto h, int) { put(map, h, Rotations{ 0, 0 }); });
+  for(std::size_t e = 0; e < rotations.size(); ++e)
+  {
+    Rotations from_opposite;
+    for(int b = 0; b < 2; ++b)
+      from_opposite[matched_branch(b, matching[e])] = -rotations[e][b];
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].halfedge), rotations[e]);
+    put(map, cut_mesh.halfedge_of(surface.dual_edges[e].opposite), from_opposite);
+  }
+}
+
+template <typename CutMesh>
+void write_rotations(const CutMesh&, const std::vector<int>&, const std::vector<std::array<double, 2> >&,
+                     const CGAL::internal_np::Param_not_found) {}
+
+// Nothing is written to an output map that was not given.
+template <typename CutMesh, typename Value>
+void write_on_dual_edges(const CutMesh&, const std::vector<Value>&, const CGAL::internal_np::Param_not_found) {}
+
+
 // Beyond it an angle has lost the digits that say where it points, and its quarter turns are no int.
 constexpr double largest_angle_read = 1e6;
 
@@ -159,114 +189,6 @@ Result read_from_dual_edges(const CutMesh&, const char*, const CGAL::internal_np
 {
   return {};
 }
-
-// Reads omega, which is 0 if it is not given.
-template <typename CutMesh, typename NamedParameters>
-Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& np, std::vector<double>& omega)
-{
-  const Result result = read_from_dual_edges(
-    cut_mesh, "the prescribed rotation", CGAL::parameters::get_parameter(np, internal::prescribed_rotation), omega);
-  if(!result)
-    return result;
-  for(std::size_t e = 0; e < omega.size(); ++e)
-    if(!is_angle(omega[e]))
-      return failure(ERROR_WRONG_FIELD, "the prescribed rotation" + beyond_largest_angle()
-                     + cut_mesh.description_of_face(face_of(cut_mesh.surface().dual_edges[e].halfedge)));
-  omega.resize(cut_mesh.surface().number_of_dual_edges(), 0);
-  return {};
-}
-
-template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>
-Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const Options& options,
-                                const std::vector<double>& alpha, std::vector<int>& matching)
-{
-  if(!CGAL::parameters::is_default_parameter<NamedParameters, internal::matching_t>::value)
-    return read_from_dual_edges(cut_mesh, "the matching", CGAL::parameters::get_parameter(np, internal::matching),
-                                matching);
-  std::vector<double> omega;
-  const Result result = read_prescribed_rotation(cut_mesh, np, omega);
-  if(!result)
-    return result;
-  std::vector<int> index;
-  std::vector<Repaired_sector> repaired_sectors;
-  return to_result(cut_mesh, compute_matching_and_indices<ConcurrencyTag>(
-    cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
-}
-
-template <typename CutMesh, typename FaceMap>
-Result read_skewness(const CutMesh& cut_mesh, const FaceMap rho_map, std::vector<double>& rho)
-{
-  return read_from_faces(cut_mesh, "rho", rho_map, rho);
-}
-
-template <typename CutMesh>
-Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not_found, std::vector<double>& rho)
-{
-  rho.assign(cut_mesh.face_descriptors().size(), 0);
-  return {};
-}
-
-// Reads a field as it is.
-template <typename CutMesh, typename AlphaMap, typename RhoMap, typename MatchingMap>
-Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
-                  const MatchingMap matching_map, std::vector<double>& alpha, std::vector<double>& rho,
-                  std::vector<int>& matching)
-{
-  Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
-  if(result)
-    result = read_skewness(cut_mesh, rho_map, rho);
-  if(result)
-    result = read_from_dual_edges(cut_mesh, "the matching", matching_map, matching);
-  return result;
-}
-
-// Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
-// field must be aligned there.
-template <typename CutMesh, typename AlphaMap, typename RhoMap>
-Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
-                            std::vector<double>& alpha)
-{
-  const double tolerance = 1e-7;
-  const auto is_along = [&](const double difference)
-  {
-    return std::abs(std::remainder(difference, CGAL_PI)) <= tolerance;
-  };
-
-  std::vector<double> rho;
-  Result result = read_from_faces(cut_mesh, "alpha", alpha_map, alpha);
-  if(result)
-    result = read_skewness(cut_mesh, rho_map, rho);
-  if(!result)
-    return result;
-
-  const Cut_surface& surface = cut_mesh.surface();
-  for(int f = 0; f < surface.number_of_faces(); ++f)
-  {
-    if(!surface.is_aligned(f) || is_along(surface.alignment[f] - alpha[f]))
-      continue;
-    if(!is_along(surface.alignment[f] - alpha[f] - CGAL_PI / 2 - rho[f]))
-      return failure(ERROR_WRONG_FIELD, "no branch is along the constrained edge or the fixed direction of "
-                                        + cut_mesh.description_of_face(f));
-    alpha[f] += rho[f];
-  }
-  return {};
-}
-
-// Writes the field that the relaxation makes of `alpha`.
-template <typename CutMesh, typename AlphaMap, typename RhoMap>
-void write_relaxed_field(const CutMesh& cut_mesh, const std::vector<double>& alpha,
-                         const std::vector<Branch_rotations>& gamma, const AlphaMap alpha_map, const RhoMap rho_map)
-{
-  for(std::size_t f = 0; f < alpha.size(); ++f)
-  {
-    put(alpha_map, cut_mesh.face_descriptors()[f], alpha[f] + gamma[f][0]);
-    put(rho_map, cut_mesh.face_descriptors()[f], gamma[f][1] - gamma[f][0]);
-  }
-}
-
-// Nothing is written to an output map that was not given.
-template <typename CutMesh, typename Value>
-void write_on_dual_edges(const CutMesh&, const std::vector<Value>&, const CGAL::internal_np::Param_not_found) {}
 
 } // namespace internal
 } // namespace Frame_fields

@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 

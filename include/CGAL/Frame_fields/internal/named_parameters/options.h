@@ -28,7 +28,7 @@
 #include <CGAL/tags.h>
 
 #include <cmath>
-#include <string>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -44,14 +44,15 @@ struct Options
   bool repair_matching;
   double maximum_skewness;
   double orthogonality_weight;
-  double orthogonality_length; // not positive: the default
+  std::optional<double> orthogonality_length;
   Edge_weighting edge_weighting;
   bool relax_orthogonality;
   bool measures_lengths = false; // even if no stage needs them
 
   bool needs_lengths() const
   {
-    return measures_lengths || edge_weighting != UNIFORM_WEIGHTS || support_strategy.kind() == Support_strategy::RADIUS;
+    return measures_lengths || edge_weighting != Edge_weighting::UNIFORM
+        || support_strategy.kind() == Support_strategy::RADIUS;
   }
 };
 
@@ -66,28 +67,30 @@ Options options_from(const NamedParameters& np)
            static_cast<bool>(choose_parameter(get_parameter(np, internal::repair_matching), true)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_skewness), 0.45 * CGAL_PI)),
            static_cast<double>(choose_parameter(get_parameter(np, internal::orthogonality_weight), 1e-2)),
-           static_cast<double>(choose_parameter(get_parameter(np, internal::orthogonality_length), 0.)),
-           choose_parameter(get_parameter(np, internal::edge_weighting), UNIFORM_WEIGHTS),
+           choose_parameter(get_parameter(np, internal::orthogonality_length), std::optional<double>()),
+           choose_parameter(get_parameter(np, internal::edge_weighting), Edge_weighting::UNIFORM),
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };
 }
 
 inline Result check(const Options& options)
 {
-  const auto wrong = [](const char* const name, const double value, const char* const range)
-  {
-    return failure(ERROR_WRONG_PARAMETER,
-                   std::string(name) + " is " + std::to_string(value) + " and must be " + range);
-  };
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))
-    return wrong("sharp_corner_bound", options.sharp_corner_bound, "a finite number that is not negative");
+    return wrong_parameter("sharp_corner_bound", options.sharp_corner_bound,
+                           "a finite number that is not negative");
   if(!(options.blunt_corner_bound >= 0))
-    return wrong("blunt_corner_bound", options.blunt_corner_bound, "a number that is not negative, or infinity");
+    return wrong_parameter("blunt_corner_bound", options.blunt_corner_bound,
+                           "a number that is not negative, or infinity");
   if(!(options.maximum_skewness >= 0 && options.maximum_skewness < CGAL_PI / 2))
-    return wrong("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
+    return wrong_parameter("maximum_skewness", options.maximum_skewness, "in [0, pi/2)");
   if(!(std::isfinite(options.orthogonality_weight) && options.orthogonality_weight >= 0))
-    return wrong("orthogonality_weight", options.orthogonality_weight, "a finite number that is not negative");
-  if(!std::isfinite(options.orthogonality_length))
-    return wrong("orthogonality_length", options.orthogonality_length, "a finite number");
+    return wrong_parameter("orthogonality_weight", options.orthogonality_weight,
+                           "a finite number that is not negative");
+  if(const std::optional<double>& length = options.orthogonality_length)
+    if(!(std::isfinite(*length) && *length > 0))
+      return wrong_parameter("orthogonality_length", *length, "a positive finite number");
+  if(const std::optional<double> radius = options.support_strategy.support_radius())
+    if(!(*radius > 0))
+      return wrong_parameter("the radius of support_strategy", *radius, "positive");
   return {};
 }
 

@@ -70,8 +70,10 @@ private:
     double j[2][2] = { { 0, 0 }, { 0, 0 } }; // j[r][s]: derivative of coordinate r along branch s
     for(int k = 0; k < 3; ++k)
       for(int r = 0; r < 2; ++r)
-        for(int s = 0; s < 2; ++s)
-          j[r][s] += x[2 * face.vertex[k] + r] * face.gradient[k][s];
+      {
+        j[r][0] += x[2 * face.vertex[k] + r] * face.gradient[k].x;
+        j[r][1] += x[2 * face.vertex[k] + r] * face.gradient[k].y;
+      }
     const double d = j[0][0] * j[1][1] - j[0][1] * j[1][0];
     const double squared_norm = j[0][0] * j[0][0] + j[0][1] * j[0][1] + j[1][0] * j[1][0] + j[1][1] * j[1][1];
     const Chi c = chi(d);
@@ -82,7 +84,7 @@ private:
                                 { by_norm * j[1][0] - by_d * j[0][1], by_norm * j[1][1] + by_d * j[0][0] } };
     for(int k = 0; k < 3; ++k)
       for(int r = 0; r < 2; ++r)
-        gradient[2 * face.vertex[k] + r] += by_j[r][0] * face.gradient[k][0] + by_j[r][1] * face.gradient[k][1];
+        gradient[2 * face.vertex[k] + r] += by_j[r][0] * face.gradient[k].x + by_j[r][1] * face.gradient[k].y;
     m_least = (std::min)(m_least, d);
     return weight * value;
   }

@@ -14,10 +14,10 @@
 
 #include <CGAL/Frame_fields/internal/parameterization/Combing.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -25,11 +25,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-typedef std::array<double, 2> Vector_2;
-
-inline double dot(const Vector_2& a, const Vector_2& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline double determinant(const Vector_2& a, const Vector_2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 // The field of a patch in the charts of its combing.
 class Combed_field
@@ -66,7 +61,7 @@ public:
   }
 
   // A halfedge as a combination of branches 0 and 1, which may lean against one another.
-  Vector_2 coordinates(const int halfedge) const
+  Plane_vector coordinates(const int halfedge) const
   {
     const int face = face_of(halfedge);
     const double direction = halfedge_angle(m_surface, halfedge), length = m_surface.length[halfedge];

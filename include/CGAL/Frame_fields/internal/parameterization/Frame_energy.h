@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Cut_graph.h>
 #include <CGAL/Frame_fields/internal/parameterization/Map_basis.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ public:
   struct Face
   {
     std::array<int, 3> vertex;           // of the disk
-    std::array<Vector_2, 3> gradient;    // of the hat functions of the vertices, in the frame
+    std::array<Plane_vector, 3> gradient;    // of the hat functions of the vertices, in the frame
     double area;                         // in the frame, in square target lengths
     double stiffness = 1;
   };
@@ -59,8 +60,8 @@ public:
       const int first = 3 * (f - patch.faces.begin_index);
       const auto scaled = [&](const int halfedge)
       {
-        const Vector_2 edge = field.coordinates(halfedge);
-        return Vector_2{ edge[0] / target_length[f], edge[1] / target_length[f] };
+        const Plane_vector edge = field.coordinates(halfedge);
+        return Plane_vector{ edge.x / target_length[f], edge.y / target_length[f] };
       };
       m_faces.push_back(element({ scaled(3 * f), scaled(3 * f + 1), scaled(3 * f + 2) },
                                 { graph.vertex[first], graph.vertex[first + 1], graph.vertex[first + 2] }));
@@ -96,7 +97,7 @@ private:
   static constexpr double least_height = 1e-4;
 
   // `edge[k]` runs to vertex k.
-  static Face element(std::array<Vector_2, 3> edge, const std::array<int, 3>& vertex)
+  static Face element(std::array<Plane_vector, 3> edge, const std::array<int, 3>& vertex)
   {
     const auto squared_length = [&](const int k) { return dot(edge[k], edge[k]); };
     int longest = 0;
@@ -104,25 +105,22 @@ private:
       if(squared_length(k) > squared_length(longest))
         longest = k;
     const int next = (longest + 1) % 3, last = (longest + 2) % 3;
-    const double height = determinant(edge[longest], edge[next]) / squared_length(longest);
+    const double height = cross(edge[longest], edge[next]) / squared_length(longest);
     if(height < least_height)
     {
       const double missing = least_height - height;
-      const Vector_2 rise{ -missing * edge[longest][1], missing * edge[longest][0] };
-      for(int k = 0; k < 2; ++k)
-      {
-        edge[next][k] += rise[k];
-        edge[last][k] -= rise[k];
-      }
+      const Plane_vector rise = missing * quarter_turn(edge[longest]);
+      edge[next] = edge[next] + rise;
+      edge[last] = edge[last] - rise;
     }
-    const double twice_area = determinant(edge[longest], edge[next]);
+    const double twice_area = cross(edge[longest], edge[next]);
     Face face;
     face.vertex = vertex;
     face.area = twice_area / 2;
     for(int k = 0; k < 3; ++k)
     {
-      const Vector_2& against = edge[(k + 2) % 3]; // from vertex k + 1 to vertex k + 2
-      face.gradient[k] = { -against[1] / twice_area, against[0] / twice_area };
+      const Plane_vector& against = edge[(k + 2) % 3]; // from vertex k + 1 to vertex k + 2
+      face.gradient[k] = { -against.y / twice_area, against.x / twice_area };
     }
     return face;
   }
@@ -161,8 +159,10 @@ public:
     std::vector<double> on_coordinates(m_basis.number_of_coordinates(), 0), result;
     for(const Map_elements::Face& face : m_elements.faces())
       for(int k = 0; k < 3; ++k)
-        for(int c = 0; c < 2; ++c)
-          on_coordinates[2 * face.vertex[k] + c] += m_elements.weight(face) * face.gradient[k][c];
+      {
+        on_coordinates[2 * face.vertex[k]] += m_elements.weight(face) * face.gradient[k].x;
+        on_coordinates[2 * face.vertex[k] + 1] += m_elements.weight(face) * face.gradient[k].y;
+      }
     for(const Map_elements::Side& side : m_elements.sides())
     {
       const double value = part_of_sides * m_elements.weight(side) / side.length;

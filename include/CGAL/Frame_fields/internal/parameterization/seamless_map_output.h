@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
+#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/parameters.h>
@@ -40,12 +41,12 @@ namespace internal {
 // Between seamless maps in flat arrays and the caller's property maps and named parameters.
 
 // Reads the index of each sector, which must be that of the field.
-template <typename CutMesh, typename AlphaMap, typename RhoMap, typename IndexMap>
-Result read_indices(const CutMesh& cut_mesh, const AlphaMap alpha_map, const RhoMap rho_map,
+template <typename CutMesh, typename AlphaMap, typename SkewnessMap, typename IndexMap>
+Result read_indices(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                     const std::vector<int>& matching, const IndexMap index_map, std::vector<int>& index)
 {
   std::vector<double> unrelaxed_alpha;
-  Result result = read_unrelaxed_field(cut_mesh, alpha_map, rho_map, unrelaxed_alpha);
+  Result result = read_unrelaxed_field(cut_mesh, alpha_map, skewness_map, unrelaxed_alpha);
   if(result)
     result = to_result(cut_mesh, compute_indices<CGAL::Sequential_tag>(cut_mesh.surface(), unrelaxed_alpha, matching,
                                                                        index));
@@ -78,8 +79,7 @@ Result read_target_length(const CutMesh& cut_mesh, const NamedParameters& np, st
   const double given = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal::target_edge_length), mean_length * surface.length_unit);
   if(!(given > 0 && std::isfinite(given)))
-    return failure(ERROR_WRONG_PARAMETER,
-                   "target_edge_length is " + std::to_string(given) + " and must be a positive finite number");
+    return wrong_parameter("target_edge_length", given, "a positive finite number");
   target_length.assign(surface.number_of_faces(), given / surface.length_unit);
   return {};
 }

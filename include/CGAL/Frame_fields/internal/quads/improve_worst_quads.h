@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/quads/Sliding_quads.h>
 #include <CGAL/Frame_fields/internal/quads/sliding_step.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <algorithm>

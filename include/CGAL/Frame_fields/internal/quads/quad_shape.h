@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_SHAPE_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_SHAPE_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -22,18 +22,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-inline Coordinates operator+(const Coordinates& u, const Coordinates& v)
-{
-  return { u[0] + v[0], u[1] + v[1], u[2] + v[2] };
-}
-
-inline Coordinates operator-(const Coordinates& u, const Coordinates& v)
-{
-  return { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
-}
-
-inline Coordinates operator*(const double s, const Coordinates& u) { return { s * u[0], s * u[1], s * u[2] }; }
 
 typedef std::array<Coordinates, 4> Quad_points;
 

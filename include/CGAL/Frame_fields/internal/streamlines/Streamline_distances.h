@@ -17,6 +17,7 @@
 #include <CGAL/Frame_fields/internal/streamlines/Streamline_tracer.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 
 #include <algorithm>
 #include <cmath>

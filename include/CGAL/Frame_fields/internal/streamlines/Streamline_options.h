@@ -13,7 +13,6 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_STREAMLINE_OPTIONS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/parameters.h>
 
@@ -22,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -36,35 +36,24 @@ struct Streamline_options
   double maximum_length;
 };
 
-inline double area(const Face_charts& charts)
-{
-  double sum = 0;
-  for(int f = 0; f < charts.surface().number_of_faces(); ++f)
-    sum += charts.area(f);
-  return sum;
-}
-
-// The parameters in the unit of the mesh, `spacing` not positive for the default.
-inline Result set_streamline_options(const Face_charts& charts, const double spacing, const double separation,
+// The parameters are in the unit of the mesh.
+inline Result set_streamline_options(const Face_charts& charts, const std::optional<double>& spacing,
+                                     const double separation,
                                      const double maximum_length, Streamline_options& options)
 {
-  const auto wrong = [](const char* const name, const double value, const std::string& range)
-  {
-    return failure(ERROR_WRONG_PARAMETER, std::string(name) + " is " + std::to_string(value) + " and must be " + range);
-  };
   const double largest_number_of_squares = 1e9;
-  const double total_area = area(charts);
+  const double total_area = charts.total_area();
   // In units of the longest edge: what has hardly any area would have too many lines end on an edge.
   const double smallest_spacing = (std::max)(1e-6, std::sqrt(total_area / largest_number_of_squares));
 
-  options.spacing = spacing == 0 ? (std::max)(1e-3, std::sqrt(total_area) / 50) : spacing / charts.unit();
+  options.spacing = spacing ? *spacing / charts.unit() : (std::max)(1e-3, std::sqrt(total_area) / 50);
   if(!(options.spacing >= smallest_spacing && std::isfinite(options.spacing)))
-    return wrong("streamline_spacing", spacing, "finite and at least "
-                                                + std::to_string(smallest_spacing * charts.unit()));
+    return wrong_parameter("streamline_spacing", spacing.value_or(options.spacing * charts.unit()),
+                           "finite and at least " + std::to_string(smallest_spacing * charts.unit()));
   if(!(separation >= 0 && separation <= 1))
-    return wrong("streamline_separation", separation, "in [0, 1]");
+    return wrong_parameter("streamline_separation", separation, "in [0, 1]");
   if(!(maximum_length > 0))
-    return wrong("maximum_streamline_length", maximum_length, "positive");
+    return wrong_parameter("maximum_streamline_length", maximum_length, "positive");
   options.least_distance = separation * options.spacing;
   options.maximum_length = maximum_length / charts.unit();
   return {};
@@ -76,7 +65,7 @@ Result streamline_options_from(const NamedParameters& np, const Face_charts& cha
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   return set_streamline_options(
-    charts, static_cast<double>(choose_parameter(get_parameter(np, internal::streamline_spacing), 0.)),
+    charts, choose_parameter(get_parameter(np, internal::streamline_spacing), std::optional<double>()),
     static_cast<double>(choose_parameter(get_parameter(np, internal::streamline_separation), 0.5)),
     static_cast<double>(choose_parameter(get_parameter(np, internal::maximum_streamline_length),
                                          std::numeric_limits<double>::infinity())),

@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -15,8 +15,9 @@
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
 #include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -25,13 +26,13 @@ namespace Frame_fields {
 namespace internal {
 
 // The point in space with the given barycentric coordinates in a face.
-template <typename TriangleMesh, typename CutMesh>
-Coordinates position(const TriangleMesh& tm, const CutMesh& cut_mesh, const int face, const Corner_weights& weights)
+template <typename TriangleMesh>
+Coordinates point_in_face(const Cut_mesh<TriangleMesh>& cut_mesh, const int face, const Corner_weights& weights)
 {
   Coordinates result{ 0, 0, 0 };
   for(int corner = 0; corner < 3; ++corner)
   {
-    const Coordinates p = cut_mesh.coordinates(target(cut_mesh.halfedge_of(3 * face + corner), tm));
+    const Coordinates p = cut_mesh.coordinates(target(cut_mesh.halfedge_of(3 * face + corner), cut_mesh.mesh()));
     for(int i = 0; i < 3; ++i)
       result[i] += weights[corner] * p[i];
   }
@@ -47,15 +48,15 @@ inline int branch_pair(const Branch_directions& directions, const Traced_streaml
   return excess_of_ones > 0 ? 1 : 0;
 }
 
-template <typename GeomTraits, typename TriangleMesh, typename CutMesh>
+template <typename GeomTraits, typename TriangleMesh>
 Streamline<typename GeomTraits::Point_3, typename boost::graph_traits<TriangleMesh>::face_descriptor>
-to_streamline(const TriangleMesh& tm, const CutMesh& cut_mesh, const Branch_directions& directions,
+to_streamline(const Cut_mesh<TriangleMesh>& cut_mesh, const Branch_directions& directions,
               const Traced_streamline& traced, const GeomTraits& traits)
 {
   typedef typename GeomTraits::FT FT;
   const auto point = [&](const int face, const Corner_weights& weights)
   {
-    const Coordinates p = position(tm, cut_mesh, face, weights);
+    const Coordinates p = point_in_face(cut_mesh, face, weights);
     return traits.construct_point_3_object()(FT(p[0]), FT(p[1]), FT(p[2]));
   };
 

@@ -12,8 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_COPLANAR_FLIPS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_COPLANAR_FLIPS_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -83,7 +83,7 @@ private:
 
   Coordinates vector(const Coordinates& from, const Coordinates& to) const
   {
-    return { to[0] / m_unit - from[0] / m_unit, to[1] / m_unit - from[1] / m_unit, to[2] / m_unit - from[2] / m_unit };
+    return to / m_unit - from / m_unit;
   }
 
   Vectors vectors_of(const halfedge_descriptor h) const

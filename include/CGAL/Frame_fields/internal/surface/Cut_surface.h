@@ -17,7 +17,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -60,7 +59,7 @@ struct Cut_surface
   std::vector<double> total_angle;           // per sector
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
-  Edge_weighting edge_weighting = UNIFORM_WEIGHTS;
+  Edge_weighting edge_weighting = Edge_weighting::UNIFORM;
   std::vector<double> weight;                // per dual edge: w_ij
   double length_unit = 1;                    // a power of two near the size of the mesh: areas do not overflow then
   std::vector<double> length;                // per halfedge: its length in this unit; empty unless asked for
@@ -148,127 +147,6 @@ inline int clockwise_most_corner(const std::vector<int>& opposite, const int cor
     result = opposite[outgoing];
   } while(result != corner);
   return corner;
-}
-
-// Vertices less edges plus faces of a patch that is cut along its constrained edges.
-inline int euler_characteristic(const Patch& patch)
-{
-  const int number_of_constrained_sides = 3 * patch.faces.size() - 2 * patch.dual_edges.size();
-  return patch.sectors.size() - patch.dual_edges.size() - number_of_constrained_sides + patch.faces.size();
-}
-
-// Gives each face the number of its patch, patches numbered in the order of their first faces; returns their number.
-inline int number_patches(const std::vector<int>& opposite, std::vector<int>& patch_of_face)
-{
-  const int number_of_faces = static_cast<int>(opposite.size() / 3);
-  patch_of_face.assign(number_of_faces, -1);
-  int number_of_patches = 0;
-  std::vector<int> stack;
-  for(int seed = 0; seed < number_of_faces; ++seed)
-  {
-    if(patch_of_face[seed] >= 0)
-      continue;
-    patch_of_face[seed] = number_of_patches;
-    stack.push_back(seed);
-    while(!stack.empty())
-    {
-      const int face = stack.back();
-      stack.pop_back();
-      for(int halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge)
-        if(opposite[halfedge] >= 0 && patch_of_face[face_of(opposite[halfedge])] < 0)
-        {
-          patch_of_face[face_of(opposite[halfedge])] = number_of_patches;
-          stack.push_back(face_of(opposite[halfedge]));
-        }
-    }
-    ++number_of_patches;
-  }
-  return number_of_patches;
-}
-
-// Sorts the faces by patches, keeping their order inside each patch: face `order[f]` becomes face f.
-inline std::vector<int> face_order_by_patches(const std::vector<int>& patch_of_face, const int number_of_patches,
-                                              std::vector<Patch>& patches)
-{
-  std::vector<int> next_place(static_cast<std::size_t>(number_of_patches) + 1, 0);
-  for(const int patch : patch_of_face)
-    ++next_place[patch + 1];
-  for(int patch = 0; patch < number_of_patches; ++patch)
-    next_place[patch + 1] += next_place[patch];
-
-  patches.resize(number_of_patches);
-  for(int patch = 0; patch < number_of_patches; ++patch)
-    patches[patch].faces = { next_place[patch], next_place[patch + 1] };
-
-  std::vector<int> order(patch_of_face.size());
-  for(std::size_t face = 0; face < patch_of_face.size(); ++face)
-    order[next_place[patch_of_face[face]]++] = static_cast<int>(face);
-  return order;
-}
-
-inline std::vector<int> reorder_opposites(const std::vector<int>& opposite, const std::vector<int>& face_order)
-{
-  std::vector<int> new_face(face_order.size());
-  for(std::size_t face = 0; face < face_order.size(); ++face)
-    new_face[face_order[face]] = static_cast<int>(face);
-
-  std::vector<int> result(opposite.size());
-  for(std::size_t halfedge = 0; halfedge < result.size(); ++halfedge)
-  {
-    const int old_opposite = opposite[3 * static_cast<std::size_t>(face_order[halfedge / 3]) + halfedge % 3];
-    result[halfedge] = old_opposite < 0 ? -1 : 3 * new_face[face_of(old_opposite)] + old_opposite % 3;
-  }
-  return result;
-}
-
-// The height of a triangle over the edge of a halfedge divided by the length of that edge.
-inline double height_over_length(const Cut_surface& surface, const int halfedge)
-{
-  const double at_target = surface.angle[halfedge], at_source = surface.angle[previous_of(halfedge)];
-  const double length_over_height =
-    std::sin(at_target + at_source) / (std::sin(at_target) * std::sin(at_source));
-  return std::isnan(length_over_height) ? 0 : 1 / length_over_height; // 0 / 0 in a triangle without area
-}
-
-inline double edge_weight(const Cut_surface& surface, const Dual_edge& e, const Edge_weighting weighting)
-{
-  if(weighting == UNIFORM_WEIGHTS)
-    return 1;
-  // In needles and caps one of the two ratios may be infinite; the bounds keep the systems solvable.
-  const double smallest = 1e-6, largest = 1e6;
-  const double dual_over_primal = height_over_length(surface, e.halfedge) + height_over_length(surface, e.opposite);
-  return (std::min)(largest, (std::max)(smallest, std::sqrt(3.) / dual_over_primal));
-}
-
-inline double area(const Cut_surface& surface, const int face)
-{
-  const int h = 3 * face;
-  return surface.length[h] * surface.length[h + 1] * std::sin(surface.angle[h]) / 2;
-}
-
-// The weight of |z - z_guide|^2 in a face. With uniform edge weights it is the one given; otherwise the sum over the
-// faces is an integral, as it is for the relaxation.
-inline double guide_weight(const Cut_surface& surface, const int face)
-{
-  if(surface.guide_weight.empty() || surface.guide_weight[face] == 0)
-    return 0;
-  double weight = surface.guide_weight[face];
-  if(surface.edge_weighting != UNIFORM_WEIGHTS)
-    weight *= surface.length_unit * area(surface, face) / std::sqrt(3.) * surface.length_unit;
-  // The edges have weights of about 1. A much larger weight would drown them, and holds the frame as it is.
-  const double largest = 1e8;
-  return (std::min)(largest, weight);
-}
-
-// A weight that is not more is lost in the rounding errors of the edge weights.
-constexpr double smallest_effective_weight = 1e-12;
-
-inline double patch_area(const Cut_surface& surface, const Patch& patch)
-{
-  double sum = 0;
-  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
-    sum += area(surface, f);
-  return sum;
 }
 
 } // namespace internal

@@ -12,18 +12,16 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/property_map.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -33,50 +31,33 @@ namespace internal {
 
 // A mesh that is about to be refined, with the maps that must follow.
 template <typename TriangleMesh, typename NamedParameters>
-class Editable_mesh
+class Editable_mesh : public Mesh_reader<TriangleMesh, NamedParameters>
 {
 public:
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
-  typedef typename Geom_traits::Point_3 Point_3;
+  typedef Mesh_reader<TriangleMesh, NamedParameters> Reader;
+  typedef typename Reader::vertex_descriptor vertex_descriptor;
+  typedef typename Reader::halfedge_descriptor halfedge_descriptor;
+  typedef typename Reader::Point_3 Point_3;
 
-  Editable_mesh(TriangleMesh& tm, const NamedParameters& np)
-    : m_mesh(tm)
-    , m_points(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-        CGAL::get_property_map(CGAL::vertex_point, tm)))
-    , m_traits(CGAL::parameters::choose_parameter<Geom_traits>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits)))
-    , m_edge_is_constrained(CGAL::parameters::choose_parameter<Constraint_map>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained)))
-  {}
+  using Reader::Reader;
+  using Reader::point;
 
-  // Throws if a face is not a triangle.
-  void check_triangles(const char* const function) const
+  Result check_triangles() const
   {
     std::size_t number = 0;
     for(const auto f : faces(m_mesh))
     {
       if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
-        throw std::invalid_argument(std::string(function) + ": face " + std::to_string(number)
-                                    + " of faces(tm) is not a triangle");
+        return failure(ERROR_NON_TRIANGULAR_MESH, "face " + std::to_string(number) + " of faces(tm)");
       ++number;
     }
+    return {};
   }
 
   // Makes room for new elements, so that no allocation fails while the mesh is changed; as far as its class has this.
   void reserve_for(const std::size_t vertices, const std::size_t edges, const std::size_t faces) const
   {
     reserve_in(m_mesh, vertices, edges, faces, 0);
-  }
-
-  bool is_constrained(const halfedge_descriptor h) const
-  {
-    return is_border(h, m_mesh) || is_border(opposite(h, m_mesh), m_mesh)
-        || get(m_edge_is_constrained, edge(h, m_mesh));
   }
 
   // Marks a new edge as unconstrained if the map can be written.
@@ -93,10 +74,7 @@ public:
       put(m_edge_is_constrained, edge(to, m_mesh), get(m_edge_is_constrained, edge(from, m_mesh)));
   }
 
-  Point_3 point(const vertex_descriptor v) const { return get(m_points, v); }
-  Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(point(v), m_traits); }
   void set_point(const vertex_descriptor v, const Point_3& point) const { put(m_points, v, point); }
-  Geom_traits traits() const { return m_traits; }
 
   // Splits an unconstrained edge at its midpoint, and its two triangles with it.
   void split_edge_with_faces(const halfedge_descriptor h) const
@@ -127,18 +105,15 @@ private:
   template <typename Mesh>
   static void reserve_in(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
 
-  typedef typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::type Vertex_point_map;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    CGAL::internal_np::edge_is_constrained_t, NamedParameters,
-    CGAL::Static_boolean_property_map<edge_descriptor, false> >::type Constraint_map;
+  typedef typename Reader::Constraint_map Constraint_map;
   static constexpr bool is_constraint_map_writable =
     std::is_convertible<typename boost::property_traits<Constraint_map>::category,
                         boost::writable_property_map_tag>::value;
 
-  TriangleMesh& m_mesh;
-  Vertex_point_map m_points;
-  Geom_traits m_traits;
-  Constraint_map m_edge_is_constrained;
+  using Reader::m_edge_is_constrained;
+  using Reader::m_mesh;
+  using Reader::m_points;
+  using Reader::m_traits;
 };
 
 } // namespace internal

@@ -13,6 +13,8 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_FACE_CHARTS_H
 
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
 
 #include <algorithm>
 #include <array>
@@ -23,22 +25,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-struct Plane_vector
-{
-  double x, y;
-};
-
-inline Plane_vector operator+(const Plane_vector& u, const Plane_vector& v) { return { u.x + v.x, u.y + v.y }; }
-inline Plane_vector operator-(const Plane_vector& u, const Plane_vector& v) { return { u.x - v.x, u.y - v.y }; }
-inline Plane_vector operator-(const Plane_vector& u) { return { -u.x, -u.y }; }
-inline Plane_vector operator*(const double s, const Plane_vector& u) { return { s * u.x, s * u.y }; }
-inline double dot(const Plane_vector& u, const Plane_vector& v) { return u.x * v.x + u.y * v.y; }
-inline double cross(const Plane_vector& u, const Plane_vector& v) { return u.x * v.y - u.y * v.x; }
-inline Plane_vector quarter_turn(const Plane_vector& u) { return { -u.y, u.x }; }
-
-// The angle from u counter-clockwise to v, between -pi and pi.
-inline double angle_from_to(const Plane_vector& u, const Plane_vector& v) { return std::atan2(cross(u, v), dot(u, v)); }
 
 // The weights of the targets of the three halfedges of a face.
 typedef std::array<double, 3> Corner_weights;
@@ -129,8 +115,15 @@ public:
 
   double area(const int face) const
   {
-    const int h = 3 * face;
-    return length(h) * length(h + 1) * std::sin(m_surface.angle[h]) / 2;
+    return triangle_area(length(3 * face), length(3 * face + 1), m_surface.angle[3 * face]);
+  }
+
+  double total_area() const
+  {
+    double sum = 0;
+    for(int f = 0; f < m_surface.number_of_faces(); ++f)
+      sum += area(f);
+    return sum;
   }
 
 private:

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Geodesic_distances.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
 
 #include <algorithm>
 #include <array>

@@ -12,8 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_LONGEST_EDGE_SPLITS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_LONGEST_EDGE_SPLITS_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_EMBEDDING_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_EMBEDDING_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <vector>
 

@@ -12,10 +12,10 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_WALKER_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_WALKER_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -50,8 +50,7 @@ public:
     const Coordinates& q = target(3 * location.face + 1);
     const Coordinates& r = target(3 * location.face + 2);
     const std::array<double, 3>& w = location.barycentric;
-    return { w[0] * p[0] + w[1] * q[0] + w[2] * r[0], w[0] * p[1] + w[1] * q[1] + w[2] * r[1],
-             w[0] * p[2] + w[1] * q[2] + w[2] * r[2] };
+    return w[0] * p + w[1] * q + w[2] * r;
   }
 
   // Walks along the part of `displacement` that is tangential to the face. Faces are unfolded into its plane one after
@@ -94,7 +93,7 @@ public:
     {
       const Coordinates p = point(location);
       Surface_location next = location;
-      walk(next, { goal[0] - p[0], goal[1] - p[1], goal[2] - p[2] });
+      walk(next, goal - p);
       const double distance_of_next = distance(point(next), goal);
       if(!(distance_of_next < best))
         return;
@@ -139,20 +138,15 @@ private:
     for(int h = 3 * face; h < 3 * face + 3; ++h)
     {
       const Coordinates& source = target(previous_of(h));
-      const Coordinates e = scaled(source, target(h)), f = scaled(source, target(next_of(h)));
+      const Coordinates e = target(h) - source, f = target(next_of(h)) - source;
       const double length_of_edge = std::sqrt(dot(e, e));
       const Coordinates normal = cross(e, f);
       const double twice_area = std::sqrt(dot(normal, normal));
       m_chart[h] = { length_of_edge, length_of_edge > 0 ? dot(e, f) / length_of_edge : 0,
                      length_of_edge > 0 ? twice_area / length_of_edge : 0 };
       if(twice_area > 0)
-        m_normal[face] = { normal[0] / twice_area, normal[1] / twice_area, normal[2] / twice_area };
+        m_normal[face] = normal / twice_area;
     }
-  }
-
-  static Coordinates scaled(const Coordinates& p, const Coordinates& q)
-  {
-    return { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
   }
 
   // What a displacement of `along` a halfedge and `left` of it adds to the weights of its face.
@@ -172,7 +166,7 @@ private:
   std::array<double, 3> change_of_weights(const int face, const Coordinates& displacement) const
   {
     const int h = 3 * face;
-    const Coordinates edge = scaled(target(previous_of(h)), target(h));
+    const Coordinates edge = target(h) - target(previous_of(h));
     const double l = m_chart[h].length;
     if(!(l > 0))
       return { 0, 0, 0 };

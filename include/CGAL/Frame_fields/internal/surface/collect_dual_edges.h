@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
+#include <CGAL/Frame_fields/internal/surface/weights.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_COORDINATE_ROUNDING_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_COORDINATE_ROUNDING_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,10 +12,9 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_CORNER_ANGLES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_CORNER_ANGLES_H
 
-#include <CGAL/Frame_fields/internal/surface/strict_floating_point.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -24,56 +23,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-typedef std::array<double, 3> Coordinates;
-
-template <typename Point, typename GeomTraits>
-Coordinates coordinates_of(const Point& point, const GeomTraits& traits)
-{
-  return { CGAL::to_double(traits.compute_x_3_object()(point)), CGAL::to_double(traits.compute_y_3_object()(point)),
-           CGAL::to_double(traits.compute_z_3_object()(point)) };
-}
-
-inline double dot(const Coordinates& u, const Coordinates& v)
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-inline Coordinates cross(const Coordinates& u, const Coordinates& v)
-{
-  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
-}
-
-inline double length(const Coordinates& u) { return std::hypot(u[0], u[1], u[2]); }
-
-inline double distance(const Coordinates& p, const Coordinates& q)
-{
-  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-}
-
-inline double maximum_norm(const Coordinates& u)
-{
-  return (std::max)({ std::abs(u[0]), std::abs(u[1]), std::abs(u[2]) });
-}
-
-// Returns a vector along q - p whose largest coordinate lies in [1, 2), so that no later product overflows or
-// underflows, or zero if p and q are equal.
-inline Coordinates scaled_direction(const Coordinates& p, const Coordinates& q)
-{
-  Coordinates d{ q[0] - p[0], q[1] - p[1], q[2] - p[2] };
-  if(!std::isfinite(maximum_norm(d)))
-    d = { q[0] / 2 - p[0] / 2, q[1] / 2 - p[1] / 2, q[2] / 2 - p[2] / 2 };
-  const double norm = maximum_norm(d);
-  if(norm == 0)
-    return d;
-  const int exponent = std::ilogb(norm);
-  return { std::scalbn(d[0], -exponent), std::scalbn(d[1], -exponent), std::scalbn(d[2], -exponent) };
-}
-
-inline double angle_between(const Coordinates& u, const Coordinates& v)
-{
-  return std::atan2(length(cross(u, v)), dot(u, v)); // accurate near 0 and pi, where acos is not
-}
 
 // The two smaller angles of a triangle leave this for the largest one, so that the three have the sum pi as far as
 // rounding allows, and sums of turning angles close up around every vertex.
@@ -111,7 +60,7 @@ inline std::array<double, 3> corner_angles_with_scaling(const std::array<Coordin
   for(int k = 0; k < 3; ++k)
   {
     const Coordinates& incoming = edge[(k + 2) % 3];
-    angle[k] = angle_between(edge[k], { -incoming[0], -incoming[1], -incoming[2] });
+    angle[k] = angle_between(edge[k], -1. * incoming);
   }
   double& largest = *std::max_element(angle.begin(), angle.end());
   largest += CGAL_PI - (angle[0] + angle[1] + angle[2]);
@@ -126,9 +75,7 @@ inline std::array<double, 3> corner_angles(const std::array<Coordinates, 3>& poi
   std::array<Coordinates, 3> edge;
   for(int k = 0; k < 3; ++k)
   {
-    const Coordinates& p = points[k];
-    const Coordinates& q = points[(k + 1) % 3];
-    edge[k] = { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
+    edge[k] = points[(k + 1) % 3] - points[k];
     const double norm = maximum_norm(edge[k]);
     if(!(norm >= smallest && norm <= largest))
       return corner_angles_with_scaling(points);

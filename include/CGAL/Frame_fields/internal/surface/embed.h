@@ -12,9 +12,9 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EMBED_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EMBED_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -51,8 +51,7 @@ Surface_embedding embed(const CutMesh& cut_mesh)
     if(get(vertex_number, v) < 0)
     {
       put(vertex_number, v, static_cast<int>(embedding.point.size()));
-      const Coordinates p = cut_mesh.coordinates(v);
-      embedding.point.push_back({ p[0] / surface.length_unit, p[1] / surface.length_unit, p[2] / surface.length_unit });
+      embedding.point.push_back(cut_mesh.coordinates(v) / surface.length_unit);
     }
     embedding.vertex.push_back(get(vertex_number, v));
     embedding.twin.push_back(get(halfedge_number, opposite(h, tm)));

@@ -12,7 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_FACE_BASIS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_FACE_BASIS_H
 
-#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <array>
 #include <cmath>
@@ -23,8 +23,7 @@ namespace internal {
 
 inline Coordinates normalized(const Coordinates& u)
 {
-  const double l = length(u);
-  return { u[0] / l, u[1] / l, u[2] / l };
+  return u / length(u);
 }
 
 // Some unit vector perpendicular to a unit vector.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <CGAL/number_type_config.h>
 

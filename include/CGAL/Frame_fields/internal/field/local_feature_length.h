@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_FIELD_LOCAL_FEATURE_LENGTH_H
+#define CGAL_FRAME_FIELDS_INTERNAL_FIELD_LOCAL_FEATURE_LENGTH_H
+
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/walk_along_border.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+inline bool is_far_from_straight(const Cut_surface& surface, const int sector)
+{
+  return std::abs(surface.total_angle[sector] - CGAL_PI) > CGAL_PI / 4;
+}
+
+// Half the length of the shorter one of the two constrained curves that leave a sharp corner.
+inline double local_feature_length(const Cut_surface& surface, const int corner)
+{
+  const int outgoing = next_of(surface.first_corner[corner]), incoming = previous_on_border(surface, outgoing);
+
+  double length_forward = 0;
+  int halfedge = outgoing;
+  do
+    length_forward += surface.length[halfedge];
+  while(!is_far_from_straight(surface, surface.sector[halfedge])
+        && (halfedge = next_on_border(surface, halfedge)) != outgoing);
+
+  double length_backward = 0;
+  halfedge = incoming;
+  while(true)
+  {
+    length_backward += surface.length[halfedge];
+    const int previous = previous_on_border(surface, halfedge);
+    if(is_far_from_straight(surface, surface.sector[previous]) || previous == incoming)
+      break;
+    halfedge = previous;
+  }
+  return (std::min)(length_forward, length_backward) / 2;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_FIELD_LOCAL_FEATURE_LENGTH_H
