@@ -9,9 +9,10 @@ function(add_consumer_test name)
     COMMAND ${CMAKE_CTEST_COMMAND}
       --build-and-test ${PROJECT_SOURCE_DIR}/consumer ${consumer_directory}/${name}
       --build-generator ${CMAKE_GENERATOR}
-      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
+      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=
         -DCGAL_DIR=${CGAL_DIR} -DEigen3_DIR=${Eigen3_DIR} ${ARGN}
       --test-command consumer)
+  set_tests_properties(${name} PROPERTIES COST 30) # the longest ones start first
 endfunction()
 
 add_consumer_test(consumer_add_subdirectory -DFRAME_FIELDS_SOURCE_DIRECTORY=${PROJECT_SOURCE_DIR}/../..)

@@ -1,6 +1,7 @@
 #ifndef TEST_FRAME_FIELDS_TEST_CAD_MESH_H
 #define TEST_FRAME_FIELDS_TEST_CAD_MESH_H
 
+#include "compiled_stages.h"
 #include "test_cut.h"
 #include "test_models.h"
 
@@ -271,6 +272,16 @@ Field orthogonal_field(const Cad_mesh<Mesh>& cad_mesh)
 {
   return frame_field(cad_mesh, parameters::relax_orthogonality(false));
 }
+
+// What most tests call is compiled once, in test_cad_mesh.cpp. The macro declares or defines it.
+#define TEST_FRAME_FIELDS_CAD_MESH(EXTERN_OR_NOTHING, Mesh)                                                            \
+  EXTERN_OR_NOTHING template struct Cad_mesh<Mesh>;                                                                    \
+  EXTERN_OR_NOTHING template Field to_field(const Cad_mesh<Mesh>&, const Maps<Mesh>&);                                 \
+  EXTERN_OR_NOTHING template Field frame_field(const Cad_mesh<Mesh>&);                                                 \
+  EXTERN_OR_NOTHING template Field frame_field(const Cad_mesh<Mesh>&, const FF::Support_strategy&);                    \
+  EXTERN_OR_NOTHING template Field orthogonal_field(const Cad_mesh<Mesh>&);
+TEST_FRAME_FIELDS_CAD_MESH(extern, Surface_mesh)
+TEST_FRAME_FIELDS_CAD_MESH(extern, Polyhedron)
 
 // Calls `check` on the model as a mesh of each class.
 template <typename Check>

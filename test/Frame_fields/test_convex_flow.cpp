@@ -48,7 +48,7 @@ struct Small_graph
   }
 };
 
-Small_graph random_graph(std::mt19937& random, const int nodes, const int arcs)
+Small_graph random_graph(std::mt19937& random, const int nodes, const int arcs, const int largest_index)
 {
   const auto integer = [&](const int begin, const int end) // both included; std:: distributions differ by platform
   {
@@ -65,7 +65,7 @@ Small_graph random_graph(std::mt19937& random, const int nodes, const int arcs)
   }
   for(int node = 0; node < nodes; ++node)
   {
-    graph.index.push_back(integer(-1, 1));
+    graph.index.push_back(integer(-largest_index, largest_index));
     graph.lower.push_back(integer(-1, 1));
     graph.upper.push_back(graph.lower.back() + integer(0, 1));
   }
@@ -118,6 +118,12 @@ bool solve(Small_graph& graph)
   return true;
 }
 
+bool exceeds(const Small_graph& graph, const int largest)
+{
+  return *std::max_element(graph.flow.begin(), graph.flow.end()) > largest
+      || *std::min_element(graph.flow.begin(), graph.flow.end()) < -largest;
+}
+
 TEST(Convex_flow, costs_least_among_all_flows)
 {
   std::mt19937 random(11);
@@ -126,7 +132,7 @@ TEST(Convex_flow, costs_least_among_all_flows)
   {
     SCOPED_TRACE(round);
     const int nodes = 2 + round % 3;
-    const Small_graph given = random_graph(random, nodes, nodes - 1 + static_cast<int>(random() % 3));
+    const Small_graph given = random_graph(random, nodes, nodes - 1 + static_cast<int>(random() % 3), 1);
     const double expected = least_cost(given, 3);
     Small_graph graph = given;
     if(!solve(graph))
@@ -134,8 +140,7 @@ TEST(Convex_flow, costs_least_among_all_flows)
       EXPECT_EQ(std::numeric_limits<double>::infinity(), expected);
       continue;
     }
-    ASSERT_LE(*std::max_element(graph.flow.begin(), graph.flow.end()), 3) << "the oracle does not try so much";
-    ASSERT_GE(*std::min_element(graph.flow.begin(), graph.flow.end()), -3) << "the oracle does not try so much";
+    ASSERT_FALSE(exceeds(graph, 3)) << "the oracle does not try so much";
     ++number_of_feasible_ones;
     number_of_moved_ones += graph.flow != given.flow;
     EXPECT_NEAR(expected, graph.total_cost(), 1e-9);
@@ -149,6 +154,72 @@ TEST(Convex_flow, costs_least_among_all_flows)
   }
   EXPECT_GT(number_of_feasible_ones, 150);
   EXPECT_GT(number_of_moved_ones, 100);
+}
+
+// The more units move, the more often a later path takes back a part of an earlier one.
+TEST(Convex_flow, costs_least_where_many_units_move)
+{
+  std::mt19937 random(12);
+  int number_of_moved_ones = 0;
+  for(int round = 0; round < 1500; ++round)
+  {
+    SCOPED_TRACE(round);
+    const int nodes = 3 + round % 2;
+    const Small_graph given = random_graph(random, nodes, nodes + 1, 4);
+    Small_graph graph = given;
+    if(!solve(graph) || exceeds(graph, 3))
+      continue;
+    number_of_moved_ones += graph.flow != given.flow;
+    EXPECT_NEAR(least_cost(given, 3), graph.total_cost(), 1e-9);
+  }
+  EXPECT_GT(number_of_moved_ones, 150);
+}
+
+// At first only some nodes take units, then only others do; what the first ones have stays there.
+TEST(Convex_flow, costs_least_when_other_nodes_join_the_hub)
+{
+  typedef Convex_flow<Small_graph> Flow;
+  std::mt19937 random(13);
+  int number_of_joined_ones = 0;
+  for(int round = 0; round < 300; ++round)
+  {
+    SCOPED_TRACE(round);
+    Small_graph graph = random_graph(random, 4, 5, 0);
+    // Node 0 has too much, or too little. Node 1 is the first that has room, or can give.
+    const Flow::Direction direction = round % 2 == 0 ? Flow::OUT : Flow::IN;
+    const int sign = direction == Flow::OUT ? 1 : -1;
+    const int number_for_first = 1 + static_cast<int>(random() % 2), number_for_others = number_for_first;
+    graph.index[0] = sign * (number_for_first + number_for_others);
+    graph.lower.assign(4, 0);
+    graph.upper.assign(4, 0);
+    (direction == Flow::OUT ? graph.upper : graph.lower)[1] = sign * number_for_first;
+    Small_graph given = graph;
+    Flow flow(graph);
+    const auto move_all = [&]
+    {
+      for(int end = 0; graph.index[0] != 0 && (end = flow.move_unit(0, direction)) >= 0;)
+      {
+        graph.index[0] -= sign;
+        graph.index[end] += sign;
+      }
+    };
+    move_all();
+    ASSERT_EQ(sign * number_for_others, graph.index[0]);
+    graph.lower[1] = graph.upper[1] = graph.index[1];
+    for(const int node : { 2, 3 })
+      (direction == Flow::OUT ? graph.upper : graph.lower)[node] = sign * number_for_others;
+    flow.join_to_hub(direction, [&](const int node)
+                     { return direction == Flow::OUT ? graph.has_room(node) : graph.has_spare(node); });
+    move_all();
+    ASSERT_EQ(0, graph.index[0]);
+    if(exceeds(graph, 3))
+      continue;
+    ++number_of_joined_ones;
+    given.lower = graph.lower;
+    given.upper = graph.upper;
+    EXPECT_NEAR(least_cost(given, 3), graph.total_cost(), 1e-9);
+  }
+  EXPECT_GT(number_of_joined_ones, 100);
 }
 
 } // namespace

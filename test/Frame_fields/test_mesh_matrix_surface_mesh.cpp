@@ -42,6 +42,12 @@ struct Mesh_of_model<CGAL::Surface_mesh<Own_point> > : Mesh_with_points<CGAL::Su
   auto with_points(const NamedParameters& np) const { return np.vertex_point_map(points()); }
 };
 
+Frames frames_on_surface_mesh(const Model& model)
+{
+  const Cad_mesh<CGAL::Surface_mesh<EPICK::Point_3> > cad_mesh(model);
+  return frames_of(cad_mesh.cut(), frame_field(cad_mesh));
+}
+
 } // namespace test
 
 namespace {

@@ -5,6 +5,15 @@
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/arc_sides.h>
+#include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
+#include <CGAL/Frame_fields/internal/quads/assemble.h>
+#include <CGAL/Frame_fields/internal/quads/fill_patch.h>
+#include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
+#include <CGAL/Frame_fields/internal/quads/split_triangles.h>
+#include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/boost/graph/generators.h>
@@ -388,6 +397,171 @@ TEST(Quad_meshes_of_few_models, are_added_to_a_mesh)
   EXPECT_EQ(number_of_quads + 1, num_faces(quad_mesh));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(quad_mesh));
   EXPECT_EQ(Point(9, 0, 0), quad_mesh.point(*vertices(quad_mesh).begin()));
+}
+
+// The arrays that cad_quad_mesh() works on, where a test chooses the way of each patch.
+class Prepared_model
+{
+public:
+  typedef FF::internal::Patch_source Patch_source;
+
+  explicit Prepared_model(const Model& model) : m_cad_mesh(model, false)
+  {
+    EXPECT_TRUE(FF::prepare_for_frame_field(m_cad_mesh.mesh, m_cad_mesh.features()));
+    const auto np = m_cad_mesh.features();
+    typedef typename decltype(m_cad_mesh.features())::Pack Pack;
+    FF::internal::Options options = FF::internal::options_from(np);
+    options.measures_lengths = true;
+    FF::internal::Cut_mesh<Surface_mesh, Pack> cut_mesh(m_cad_mesh.mesh, np);
+    EXPECT_TRUE(cut_mesh.build(options));
+    m_surface = cut_mesh.surface();
+    m_embedding = FF::internal::embed(cut_mesh);
+    m_length = mean_edge_length(m_cad_mesh.mesh) / m_surface.length_unit;
+
+    FF::internal::Quad_stage_clock<Pack> clock(np);
+    FF::internal::Frame_field frame_field;
+    EXPECT_EQ(FF::OK, FF::internal::compute_frame_field<CGAL::Sequential_tag>(
+                        m_surface, options, FF::Eigen_frame_field_solver_traits(), clock, frame_field).error_code);
+    const FF::internal::Quad_field field = FF::internal::quad_field_of(frame_field);
+    m_index = field.index;
+    FF::internal::compute_seamless_map<CGAL::Sequential_tag>(
+      m_surface, field.alpha, field.rho, field.matching, field.index,
+      std::vector<double>(m_surface.number_of_faces(), m_length), FF::Eigen_frame_field_solver_traits(), m_map);
+    const std::vector<char> is_node = FF::internal::feature_nodes(m_surface, m_embedding, m_index, {});
+    m_features = FF::internal::make_feature_network(m_surface, m_embedding, is_node);
+    for(int s = 0; s < m_surface.number_of_sectors(); ++s)
+      m_is_arc_node.push_back(m_surface.is_constrained_sector(s)
+                              && is_node[m_embedding.vertex[m_surface.first_corner[s]]]);
+  }
+
+  std::size_t number_of_patches() const { return m_surface.patches.size(); }
+  Marked_surface triangles() const { return triangles_of(m_cad_mesh); }
+
+  // Patches that have no T-mesh are filled.
+  Marked_surface quads_without_T_mesh(const std::vector<char>& is_without) const
+  {
+    std::vector<FF::internal::T_mesh> t_meshes(number_of_patches());
+    for(std::size_t p = 0; p < number_of_patches(); ++p)
+      if(!is_without[p])
+        t_meshes[p] = make_T_mesh(m_surface, m_surface.patches[p], m_index, m_map, m_is_arc_node).mesh;
+    FF::internal::Quad_complex complex =
+      FF::internal::Quad_maker(m_surface, m_embedding, m_index, m_features, m_map, t_meshes, m_length).make();
+    std::vector<char> is_certified;
+    for(const FF::internal::T_mesh& t_mesh : t_meshes)
+      is_certified.push_back(!t_mesh.cells.empty());
+    return smoothed(complex, is_certified);
+  }
+
+  // The last resort, beside patches that are filled: three quads for each triangle.
+  Marked_surface quads_of_triangles(const std::vector<char>& is_split) const
+  {
+    const std::vector<FF::internal::T_mesh> t_meshes(number_of_patches());
+    std::vector<Patch_source> sources;
+    for(const char split : is_split)
+      sources.push_back(split ? Patch_source::SPLIT_TRIANGLES : Patch_source::FILLING);
+    const FF::internal::Arc_sides sides = collect_arc_sides(m_surface, m_embedding, m_features, t_meshes);
+    std::vector<int> edges_of_arc;
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+      edges_of_arc.push_back(is_beside_split_patch(sides, sources, static_cast<int>(a))
+                             ? 2 * static_cast<int>(m_features.arcs[a].halfedges.size())
+                             : smallest_even_count(m_embedding, m_features.arcs[a]));
+    const std::vector<std::vector<int> > edges_of_piece(number_of_patches()), breakpoints(m_features.arcs.size());
+    const FF::internal::Quad_layout layout{ m_surface, m_embedding, m_features, m_map, t_meshes, sources, sides,
+                                            edges_of_piece, edges_of_arc, breakpoints };
+    FF::internal::Quad_complex complex;
+    make_arc_vertices(layout, complex);
+    const FF::internal::Surface_walker walker(m_surface, m_embedding);
+    for(int p = 0; p < static_cast<int>(number_of_patches()); ++p)
+      if(is_split[p])
+        split_triangles_of_patch(layout, p, complex);
+      else
+        EXPECT_TRUE(fill_patch(walker, m_surface, m_embedding, m_features, p, complex.arcs, m_length, complex));
+    return smoothed(complex, std::vector<char>(number_of_patches(), false));
+  }
+
+private:
+  Marked_surface smoothed(FF::internal::Quad_complex& complex, const std::vector<char>& is_certified) const
+  {
+    smooth(complex, m_surface, m_embedding, m_features);
+    Marked_surface result;
+    for(const FF::internal::Quad_vertex& vertex : complex.vertices)
+    {
+      const FF::internal::Coordinates p = point_of(m_surface, m_embedding, vertex);
+      result.points.emplace_back(p[0], p[1], p[2]);
+    }
+    for(const std::array<int, 4>& quad : complex.quads)
+      result.faces.emplace_back(quad.begin(), quad.end());
+    for(std::size_t a = 0; a < complex.arcs.size(); ++a)
+    {
+      const std::vector<int>& arc = complex.arcs[a];
+      for(std::size_t i = complex.is_loop[a] ? 0 : 1; i < arc.size(); ++i)
+        result.marked_edges.insert(vertex_pair(arc[(i + arc.size() - 1) % arc.size()], arc[i]));
+    }
+    result.patch = complex.patch;
+    result.is_certified = is_certified;
+    return result;
+  }
+
+  Cad_mesh<Surface_mesh> m_cad_mesh;
+  FF::internal::Cut_surface m_surface;
+  FF::internal::Surface_embedding m_embedding;
+  FF::internal::Feature_network m_features;
+  FF::internal::Seamless_map m_map;
+  std::vector<int> m_index;
+  std::vector<char> m_is_arc_node;
+  double m_length = 0;
+};
+
+// All patches, and every second one.
+std::vector<std::vector<char> > choices_of_patches(const std::size_t number_of_patches)
+{
+  std::vector<std::vector<char> > result{ std::vector<char>(number_of_patches, true) };
+  for(std::size_t first = 0; first < 2 && number_of_patches > 1; ++first)
+  {
+    result.emplace_back(number_of_patches, false);
+    for(std::size_t p = first; p < number_of_patches; p += 2)
+      result.back()[p] = true;
+  }
+  return result;
+}
+
+std::vector<Model> models_of_several_patches()
+{
+  return { cube(), quilt(), torus(), tripod(), loop_of_three_edges(), random_gear(1), random_star_shaped_polyhedron(2),
+           random_planar_domain(4) };
+}
+
+TEST(Quad_meshes_with_filled_patches, fulfil_the_contract)
+{
+  for(const Model& model : models_of_several_patches())
+  {
+    const Prepared_model prepared(model);
+    for(const std::vector<char>& is_without : choices_of_patches(prepared.number_of_patches()))
+    {
+      const Marked_surface quads = prepared.quads_without_T_mesh(is_without);
+      EXPECT_EQ("", Quad_contract(prepared.triangles(), quads).broken_facts());
+      EXPECT_EQ(0u, number_of_inverted_quads(quads));
+      for(std::size_t p = 0; p < is_without.size(); ++p)
+        EXPECT_FALSE(is_without[p] && quads.is_certified[p]);
+    }
+  }
+}
+
+TEST(Quad_meshes_of_split_triangles, fulfil_the_contract)
+{
+  for(const Model& model : models_of_several_patches())
+  {
+    const Prepared_model prepared(model);
+    for(const std::vector<char>& is_split : choices_of_patches(prepared.number_of_patches()))
+    {
+      const Marked_surface quads = prepared.quads_of_triangles(is_split);
+      EXPECT_EQ("", Quad_contract(prepared.triangles(), quads).broken_facts());
+      EXPECT_EQ(0u, number_of_inverted_quads(quads));
+      const Marked_surface triangles = prepared.triangles();
+      if(is_split == std::vector<char>(is_split.size(), true))
+        EXPECT_EQ(3 * triangles.faces.size(), quads.faces.size());
+    }
+  }
 }
 
 TEST(Quad_meshes_of_few_quads, have_about_the_number_asked_for)
