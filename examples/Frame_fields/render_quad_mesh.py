@@ -6,7 +6,8 @@
     xvfb-run -a /usr/bin/python3 render_quad_mesh.py QUADS.vtp OUT.png --view 30 40 --view 210 -20
 
 Needs Debian's python3-vtk9 and python3-numpy, and xvfb where there is no display. z is up. Each mesh is shown in each
-view, and in a close-up of each place given by --focus; several meshes stand below one another, with a title each.
+view, and in a close-up of each place given by --focus; several meshes stand below one another, or with --beside beside
+one another, with a title each.
 """
 
 import argparse
@@ -45,6 +46,7 @@ class QuadMesh:
         self.valence = cell_data("valence")[:len(self.verts)]
         self.is_on_feature = cell_data("on_feature")[:len(self.verts)] == 1
         self.scaled_jacobian = cell_data("scaled_jacobian")[-len(self.quads):]
+        self.patch = cell_data("patch")[-len(self.quads):]
         self.diagonal = np.linalg.norm(np.ptp(self.points, axis=0))
         self.edges = np.unique(np.sort(np.concatenate(
             [self.quads[:, [k - 1, k]] for k in range(4)]), axis=1), axis=0)
@@ -89,17 +91,19 @@ def ball_actor(points, radius, colour):
     return actor
 
 
-def scene(mesh, view, background):
+def scene(mesh, view, background, line_width=1, ball_size=None):
+    """The radius of the balls is in percent of half the height of the view; by default it follows from the edges."""
     renderer = configured(vtk.vtkRenderer(), Background=background)
     is_inverted = ~(mesh.scaled_jacobian > 0)
     for mask, colour in ((~is_inverted, SURFACE), (is_inverted, INVERTED)):
         if mask.any():
             renderer.AddActor(surface_actor(mesh.points, mesh.quads[mask], colour))
-    renderer.AddActor(line_actor(mesh.points, mesh.edges, EDGE, 1))
+    renderer.AddActor(line_actor(mesh.points, mesh.edges, EDGE, line_width))
     if len(mesh.features):
         renderer.AddActor(tubes(mesh.points, mesh.features, 0.0022 * view.reach * 2, FEATURE))
     # Larger than thin features, and on coarse meshes no larger than a part of an edge.
     radius = min(0.022 * view.reach, max(0.2 * mesh.edge_length, 0.009 * view.reach))
+    radius = ball_size * view.reach / 100 if ball_size else radius
     for _, colour, points in mesh.irregular_groups():
         if len(points):
             renderer.AddActor(ball_actor(points, radius, colour))
@@ -136,6 +140,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="+", metavar="QUADS.vtp ... OUT.png", help="meshes, and the picture to write")
     parser.add_argument("--title", action="append", default=[], help="of the next mesh; can be given several times")
+    parser.add_argument("--beside", action="store_true", help="a column for each mesh instead of a row")
     parser.add_argument("--size", nargs=2, type=int, default=[900, 900], metavar=("W", "H"), help="of each view")
     parser.add_argument("--view", nargs=2, type=float, action="append", metavar=("AZIMUTH", "ELEVATION"),
                         help="degrees; can be given several times; default: 30 40")
@@ -157,8 +162,9 @@ def scenes_of(mesh, title, options, row, number_of_rows):
     font = max(12, height // 45)
     for column, (view, background) in enumerate(views):
         renderer = scene(mesh, view, background)
-        renderer.SetViewport(column / len(views), 1 - (row + 1) / number_of_rows,
-                             (column + 1) / len(views), 1 - row / number_of_rows)
+        place, counts = (column, row), (len(views), number_of_rows)
+        (x, y), (columns, rows) = (place[::-1], counts[::-1]) if options.beside else (place, counts)
+        renderer.SetViewport(x / columns, 1 - (y + 1) / rows, (x + 1) / columns, 1 - y / rows)
         if column == 0:
             caption = f"{title}: {len(mesh.quads)} quadrangles" if title else f"{len(mesh.quads)} quadrangles"
             renderer.AddActor2D(text(caption, font, height - 2.2 * font, int(1.2 * font), bold=True))
@@ -173,9 +179,9 @@ def main():
     renderers = []
     for row, (model, title) in enumerate(zip(models, titles)):
         renderers += scenes_of(QuadMesh(model), title, options, row, len(models))
-    number_of_columns = len(renderers) // len(models)
-    size = [options.size[0] * number_of_columns, options.size[1] * len(models)]
-    write_picture(renderers, size, picture)
+    counts = [len(renderers) // len(models), len(models)]
+    columns, rows = counts[::-1] if options.beside else counts
+    write_picture(renderers, [options.size[0] * columns, options.size[1] * rows], picture)
 
 
 if __name__ == "__main__":

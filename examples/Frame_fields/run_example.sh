@@ -44,14 +44,22 @@ shark="$output/data/meshes/mech-holes-shark.off"
   field flange_baseline "Flange: the smoothest field, without correction" $flange $smoothest --no-baseline --quiet
   field mech-holes-shark "mech-holes-shark" "$shark"
 
-  quads flange_quads $flange
-  quads flange_baseline_quads $flange $smoothest --quiet
-  quads mech-holes-shark_quads "$shark"
+  quads flange_quads $flange --quads 6000
+  quads flange_baseline_quads $flange --quads 6000 $smoothest --quiet
+  quads mech-holes-shark_quads "$shark" --quads 4000
+  quads mech-holes-shark_baseline_quads "$shark" --quads 4000 $smoothest --quiet
 }
-draw examples/Frame_fields/render_quad_mesh.py "$output/flange_quads.vtp" "$output/flange_baseline_quads.vtp" \
-  "$output/flange_quads.png" --title "Our field" --title "The smoothest field" --view 30 40 --view 210 -30
-draw examples/Frame_fields/render_quad_mesh.py "$output/mech-holes-shark_quads.vtp" \
-  "$output/mech-holes-shark_quads.png" --title "mech-holes-shark" --view 30 40 --view 210 -30
+
+beside() # name view...
+{
+  name=$1
+  shift
+  draw examples/Frame_fields/render_quad_mesh.py "$output/${name}_baseline_quads.vtp" "$output/${name}_quads.vtp" \
+    "$output/${name}_quads.png" --beside --title "The smoothest field" --title "This package" "$@"
+}
+
+beside flange --view 30 40 --view 210 -30
+beside mech-holes-shark --view 60 25 --view 240 -25
 
 echo "Look at flange.png, flange_baseline.png, mech-holes-shark.png, flange_quads.png and mech-holes-shark_quads.png"
 echo "in $output; the quadrangles are in files .vtp (ParaView), .obj and .msh (Gmsh) beside them."

@@ -30,3 +30,15 @@ endfunction()
 
 add_program_tests(test_program cad_frame_field)
 add_program_tests(test_quad_program cad_quad_mesh)
+
+# The scripts of the benchmarks that measure and compare quad meshes.
+find_program(Frame_fields_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH DOC "Python 3 that has SciPy")
+find_program(Frame_fields_PYTHON NAMES python3)
+mark_as_advanced(Frame_fields_PYTHON)
+execute_process(COMMAND ${Frame_fields_PYTHON} -c "import scipy" RESULT_VARIABLE no_scipy OUTPUT_QUIET ERROR_QUIET)
+if(no_scipy EQUAL 0)
+  add_test(NAME test_quad_comparison COMMAND ${Frame_fields_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/test_quad_comparison.py
+    $<TARGET_FILE:cad_quad_mesh>)
+else()
+  message("NOTICE: The comparison of quad meshers requires SciPy and will not be tested.")
+endif()

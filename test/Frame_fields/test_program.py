@@ -1834,9 +1834,29 @@ class Examples(ProgramTest):
         self.assertGreater(len(expected), 0)
         self.assertEqual(sorted(polylines), sorted(expected))
 
+    def test_seamless_map_example_writes_a_seamless_and_aligned_map(self):
+        lines = self.run_example("frame_field_seamless_map")
+        places = [tuple(map(float, words[1:])) for words in lines if words[0] == "vt"]
+        features = {frozenset(int(word) for word in words[1:]) for words in lines if words[0] == "l"}
+        sides = collections.defaultdict(list)
+        for words in lines:
+            if words[0] == "f":
+                corners = [tuple(int(number) for number in word.split("/")) for word in words[1:]]
+                (a, b, c) = (places[corner[1] - 1] for corner in corners)
+                self.assertGreater((b[0] - a[0]) * (c[1] - a[1]), (b[1] - a[1]) * (c[0] - a[0]))
+                for (v, p), (w, q) in zip(corners, corners[1:] + corners[:1]):
+                    lengths = [abs(places[q - 1][k] - places[p - 1][k]) for k in range(2)]
+                    sides[frozenset((v, w))].append(sorted(lengths))
+        self.assertGreater(len(features), 0)
+        for edge, lengths in sides.items():
+            if edge in features:
+                self.assertTrue(all(least == 0 for least, _ in lengths), edge)
+            else:
+                self.assertEqual(*lengths)  # a quarter turn swaps them
+
     def test_examples_that_cannot_read_their_model_fail(self):
         for name in ("surface_mesh", "polyhedron", "stages", "indices", "own_solver", "parallel", "for_quad_mesher",
-                     "streamlines"):
+                     "streamlines", "seamless_map"):
             name = "frame_field_" + name
             self.run_example(name)  # or skip
             completed = run(paths.program.with_name(name), "missing.off")
