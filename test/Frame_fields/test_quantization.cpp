@@ -208,12 +208,25 @@ TEST(Quantization, verdicts_need_no_branch_and_bound)
 {
   Quantization_options options;
   options.maximum_number_of_flows = 0;
-  options.uses_dive = false;
+  options.joins_by_paths = false;
   const Tally with_strips = compare_with_enumeration(options, false, 3000);
   options.maximum_number_of_strip_rounds = 0;
   const Tally without_strips = compare_with_enumeration(options, false, 3000);
   EXPECT_GT(with_strips.best, without_strips.best);
   EXPECT_GE(with_strips.best, .99 * with_strips.feasible);
+}
+
+// The paths alone lead nearly everywhere, and what they do not join, the matchings do.
+TEST(Quantization, paths_join_odd_components)
+{
+  Quantization_options options;
+  options.maximum_number_of_flows = 0;
+  const Tally with_strips = compare_with_enumeration(options, false, 3000);
+  EXPECT_GE(with_strips.best, .99 * with_strips.feasible);
+  options.maximum_number_of_strip_rounds = 0;
+  const Tally with_paths = compare_with_enumeration(options, false, 3000);
+  options.joins_by_paths = false;
+  EXPECT_GT(with_paths.best, compare_with_enumeration(options, false, 3000).best);
 }
 
 // a rows of b cells: each row has one number in all of its pieces, each column too.

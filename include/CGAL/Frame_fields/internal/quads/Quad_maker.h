@@ -110,8 +110,8 @@ public:
     for(m_round = 0; ; ++m_round)
     {
       quantize_pieces();
-      Quad_complex complex = assemble();
-      if(!find_faults(complex))
+      Quad_complex complex;
+      if(make_valid(complex))
       {
         m_number_in_classes = remove_unused_vertices(complex);
         return complex;
@@ -340,7 +340,23 @@ private:
     return static_cast<int>(after - m_layout.first_piece.begin()) - 1;
   }
 
-  Quad_complex assemble()
+  // Returns whether all is well; otherwise the bounds have changed. To fill patches takes long, and is of no use as long
+  // as vertices elsewhere coincide.
+  bool make_valid(Quad_complex& complex)
+  {
+    const bool has_fillings = std::count(m_sources.begin(), m_sources.end(), Patch_source::FILLING) > 0;
+    if(has_fillings)
+    {
+      const bool fills = false;
+      complex = assemble(fills);
+      if(separate_critical_vertices(complex, m_classes.representatives(static_cast<int>(complex.vertices.size()))))
+        return false;
+    }
+    complex = assemble(true);
+    return !find_faults(complex);
+  }
+
+  Quad_complex assemble(const bool fills)
   {
     std::vector<std::vector<int> > edges_of_piece(m_t_meshes.size());
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
@@ -363,8 +379,8 @@ private:
       {
         if(m_sources[p] == Patch_source::SPLIT_TRIANGLES)
           split_triangles_of_patch(layout, patch, complex);
-        else if(!fill_patch(m_walker, m_surface, m_embedding, m_features, patch, complex.arcs, m_target_edge_length,
-                            complex))
+        else if(fills && !fill_patch(m_walker, m_surface, m_embedding, m_features, patch, complex.arcs,
+                                     m_target_edge_length, complex))
           m_patches_to_give_up.push_back(patch);
         m_origin.resize(complex.quads.size(), { patch, -1 });
         continue;

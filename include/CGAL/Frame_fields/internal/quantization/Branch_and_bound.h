@@ -44,26 +44,12 @@ public:
   // The flow must be solved.
   explicit Branch_and_bound(Half_integral_flow& flow) : m_flow(flow), m_root(flow.optimum()) {}
 
-  // Descends into a branch of every odd component at once, which gives good integers soon if it gives any.
-  void dive()
+  // Values that are known: only cheaper ones are searched, if there can be any.
+  void start_with(const std::vector<int>& value, const double cost, const bool is_optimal)
   {
-    const int maximum_depth = 64; // each level halves the number of odd components, or nearly so
-    for(int depth = 0; depth < maximum_depth; ++depth)
-    {
-      const std::vector<int> odd = Half_edges(m_flow).make_integral();
-      if(odd.empty())
-      {
-        store_values(m_flow.cost());
-        m_best.is_complete = depth == 0;
-        break;
-      }
-      for(const int edge : odd)
-        if(m_flow.is_half(edge))
-          descend(edge);
-      if(!m_flow.solve_again())
-        break;
-    }
-    leave_all_branches();
+    m_best.value = value;
+    m_best.cost = cost;
+    m_best.is_complete = is_optimal;
   }
 
   // Visits at most so many flows, and about so many edges in all.

@@ -16,7 +16,9 @@
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Branch_and_bound.h>
 #include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+#include <CGAL/Frame_fields/internal/quantization/Half_edges.h>
 #include <CGAL/Frame_fields/internal/quantization/Half_integral_flow.h>
+#include <CGAL/Frame_fields/internal/quantization/Imbalance_paths.h>
 #include <CGAL/Frame_fields/internal/quantization/Integral_solution.h>
 #include <CGAL/Frame_fields/internal/quantization/Quantization.h>
 #include <CGAL/Frame_fields/internal/quantization/Strip_search.h>
@@ -24,7 +26,6 @@
 #include <CGAL/Frame_fields/internal/quantization/unattainable_edges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -109,25 +110,45 @@ private:
   bool find_values(const Quantization_options& options)
   {
     m_result.cost_bound = m_flow->cost();
+    bool has_odd_components;
+    std::vector<int> value = rounded_halves(has_odd_components);
     Branch_and_bound branch_and_bound(*m_flow);
-    if(options.uses_dive)
-      branch_and_bound.dive();
+    if(!has_odd_components
+       || (options.joins_by_paths && Imbalance_paths(m_network, m_flow->graph(), m_flow->potential(), value).join()))
+      branch_and_bound.start_with(value, cost_of(value), !has_odd_components);
     branch_and_bound.search(options.maximum_number_of_flows, options.maximum_number_of_steps);
-    m_result.value = branch_and_bound.best().value;
     m_result.is_optimal = branch_and_bound.best().is_complete;
-    if(m_result.value.empty() && (m_result.is_optimal || !find_any_values()))
-      return false;
+    m_result.value = branch_and_bound.best().value;
+    if(m_result.value.empty())
+    {
+      m_result.value.swap(value);
+      if(m_result.is_optimal || !Integral_solution(m_network, m_result.value).find())
+        return false;
+    }
     if(!m_result.is_optimal)
       m_result.number_of_strips_moved = Strip_search(m_network, m_flow->graph(), m_flow->potential(), m_result.value)
                                           .improve(options.maximum_number_of_strip_rounds);
     return true;
   }
 
-  bool find_any_values()
+  // Integers next to the halves. They cost as much, but in odd components a sum is not 0.
+  std::vector<int> rounded_halves(bool& has_odd_components)
   {
+    const Half_integral_flow::Optimum halves = m_flow->optimum();
+    has_odd_components = Half_edges(*m_flow).round_all();
+    std::vector<int> result;
     for(std::size_t e = 0; e < m_network.edges.size(); ++e)
-      m_result.value.push_back(static_cast<int>(std::floor(m_flow->doubled_value(static_cast<int>(e)) / 2.)));
-    return Integral_solution(m_network, m_result.value).find();
+      result.push_back(m_flow->doubled_value(static_cast<int>(e)) / 2);
+    m_flow->restore(halves);
+    return result;
+  }
+
+  double cost_of(const std::vector<int>& value) const
+  {
+    double sum = 0;
+    for(std::size_t e = 0; e < value.size(); ++e)
+      sum += deviation_cost(m_network.edges[e], value[e]);
+    return sum;
   }
 
   // The edges that keep an excess where it is, since they are at a bound.

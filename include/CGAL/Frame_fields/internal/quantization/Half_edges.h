@@ -52,6 +52,14 @@ public:
     m_next.assign(m_first_place.begin(), m_first_place.end() - 1);
   }
 
+  // Gives integers to all components. Odd ones leave a sum of 1 or -1 at one of their nodes. Returns whether there are
+  // any.
+  bool round_all()
+  {
+    m_rounds_odd_tours = true;
+    return !make_integral().empty();
+  }
+
   // Gives integers to all components but the odd ones; returns an edge of largest weight of each of these.
   std::vector<int> make_integral()
   {
@@ -119,7 +127,7 @@ private:
     const bool is_odd = start != m_free_node && sign_of(last) * step.back() + sign_of(ends[0]) * step[0] != 0;
     if(is_odd)
       odd.push_back(heaviest_edge(ends));
-    else
+    if(!is_odd || m_rounds_odd_tours)
       for(std::size_t i = 0; i < ends.size(); ++i)
         m_flow.set_value(ends[i].edge, (m_flow.doubled_value(ends[i].edge) + step[i]) / 2);
   }
@@ -135,6 +143,7 @@ private:
 
   Half_integral_flow& m_flow;
   int m_free_node;
+  bool m_rounds_odd_tours = false;
   std::vector<int> m_half_edges;
   std::vector<int> m_first_place; // per node, and one more
   std::vector<End> m_incident;    // by places

@@ -27,7 +27,7 @@ struct Quantization_options
   std::int64_t maximum_number_of_flows = 2000;     // in branch and bound, per component
   std::int64_t maximum_number_of_steps = 10000000; // in branch and bound, per component: one per edge and visit
   int maximum_number_of_strip_rounds = 20;
-  bool uses_dive = true;                           // whether branch and bound starts with the branches of all odd parts
+  bool joins_by_paths = true;                      // whether odd components are joined, before anything is searched
 };
 
 // Integers for all edges of a network.

@@ -33,7 +33,8 @@ namespace internal {
 // any is decided exactly.
 //
 // Halves of least cost are a flow. In most components they are integers already; then nothing is cheaper. Otherwise
-// branch and bound makes them integers, and if it cannot finish, the strip search improves what it found.
+// paths make integers of them, and branch and bound looks for better ones. If it cannot finish, the strip search
+// improves what there is.
 //
 // It may be run again after bounds of the network have changed, but nothing else of it. Then only components with other
 // bounds are done again, from the flow that they have.
