@@ -46,12 +46,16 @@ public:
           triangles.push_back({ ring[0], ring[k], ring[k + 1] });
       return nullptr;
     }
-    const std::array<int, 3> axes = axes_by_size_of_normal(ring);
-    const char* const fault = triangulate_along(axes[0], ring, triangles);
-    if(fault == nullptr || triangulate_along(axes[1], ring, triangles) == nullptr
-       || triangulate_along(axes[2], ring, triangles) == nullptr)
-      return nullptr;
-    return fault;
+    const char* result = places_coincide;
+    for(const int axis : axes_by_size_of_normal(ring))
+    {
+      const char* const fault = triangulate_along(axis, ring, triangles);
+      if(fault == nullptr)
+        return nullptr;
+      if(result == places_coincide) // which need not be so in another projection
+        result = fault;
+    }
+    return result;
   }
 
 private:
@@ -64,6 +68,8 @@ private:
   typedef Triangulation::Vertex_handle Vertex_handle;
   typedef Triangulation::Face_handle Face_handle;
   typedef std::pair<std::size_t, std::size_t> Directed_edge;
+
+  static constexpr const char* places_coincide = "is folded so that vertices lie on one another";
 
   const Point& point(const std::size_t vertex) const { return (*m_points)[vertex]; }
 
@@ -127,7 +133,7 @@ private:
     Triangulation triangulation;
     const std::vector<Vertex_handle> vertices = insert_points(axis, ring, triangulation);
     if(vertices.empty())
-      return "has vertices that lie on one another";
+      return places_coincide;
     if(const char* const fault = insert_edges(vertices, triangulation))
       return fault;
     return collect_triangles(ring, triangulation, triangles);
