@@ -1,5 +1,5 @@
-# Tests of the programs cad_frame_field and cad_quad_mesh, and of the examples: one for each class of test_program.py
-# and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is reported as skipped
+# Tests of the programs cad_frame_field and cad_quad_mesh, and of the examples: one for each class of test_program.py,
+# test_soups.py and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is reported as skipped
 # then.
 # Expects cgal_data_directory and FRAME_FIELDS_CAD_DATA_DIRECTORY.
 
@@ -28,4 +28,5 @@ function(add_program_tests test_program program)
 endfunction()
 
 add_program_tests(test_program cad_frame_field)
+add_program_tests(test_soups cad_frame_field)
 add_program_tests(test_quad_program cad_quad_mesh)

@@ -88,7 +88,7 @@ void expect_triangulation(const Places_in_plane& places, const Ring& ring, const
     EXPECT_EQ(expected[edge], number) << edge.first << " " << edge.second;
 }
 
-// A triangulation in each plane, and of the ring from any vertex on and backwards.
+// A triangulation in each plane, of the ring from other vertices on and backwards.
 void expect_polygon(const Places_in_plane& places, Ring ring)
 {
   for(const Plane& plane : planes)
@@ -180,7 +180,8 @@ bool is_on_segment(const Place_in_plane& a, const Place_in_plane& b, const Place
 bool meet(const Place_in_plane& a, const Place_in_plane& b, const Place_in_plane& c, const Place_in_plane& d)
 {
   return is_on_segment(a, b, c) || is_on_segment(a, b, d) || is_on_segment(c, d, a) || is_on_segment(c, d, b)
-         || (sign(area_of(a, b, c)) * sign(area_of(a, b, d)) < 0 && sign(area_of(c, d, a)) * sign(area_of(c, d, b)) < 0);
+         || (sign(area_of(a, b, c)) * sign(area_of(a, b, d)) < 0
+             && sign(area_of(c, d, a)) * sign(area_of(c, d, b)) < 0);
 }
 
 // Compares all edges with one another.
@@ -337,7 +338,7 @@ struct Built
   std::size_t components, border_edges, turned, cut;
 };
 
-// Checks the mesh without the help of CGAL: its halfedges are bounded and consistent, and it has one fan at each vertex.
+// Checks that halfedges are consistent, and that each vertex has one fan.
 void expect_manifold(const Mesh& mesh, const std::size_t number_of_faces)
 {
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
@@ -507,7 +508,7 @@ TEST(Triangle_surface, duplicates)
   }
 }
 
-TEST(Triangle_surface, sheet_with_two_sides_is_a_closed_surface_or_two_sheets)
+TEST(Triangle_surface, sheet_with_two_sides_is_closed)
 {
   Test_soup sheet;
   const Test_soup all = box(3);

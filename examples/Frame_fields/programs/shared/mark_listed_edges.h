@@ -110,8 +110,8 @@ private:
     if(!m_is_of_abc)
     {
       if(number_with(-1) == number)
-        throw Failure(BAD_FILE, m_path + ": " + count + "edges of the model; counted from 1, all of them do; subtract 1 "
-                                + "from each vertex, as vertices count from 0");
+        throw Failure(BAD_FILE, m_path + ": " + count + "edges of the model; counted from 1, all of them do; subtract "
+                                + "1 from each vertex, as vertices count from 0");
       check_range();
     }
     const std::size_t maximum_share = 10; // one of so many
@@ -130,8 +130,9 @@ private:
     for(const Vertex_pair& pair : m_pairs)
       for(const long long vertex : { pair.first, pair.second })
         if(!m_edges.is_vertex(vertex, 0))
-          fail_in_line(m_path, pair.line_number, "the model has no vertex " + std::to_string(vertex) + ", its last one is "
-                                                 + std::to_string(m_edges.number_of_file_vertices() - 1));
+          fail_in_line(m_path, pair.line_number,
+                       "the model has no vertex " + std::to_string(vertex) + ", its last one is "
+                         + std::to_string(m_edges.number_of_file_vertices() - 1));
   }
 
   const std::string& m_path;

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-// Reads the sharp curves of the feature files of the ABC data set. These are YAML as PyYAML writes it: the list `curves`
-// of mappings with the keys `sharp` and `vert_indices`, whose vertices are in brackets or on a line each. The other keys
-// and lists are passed over.
+// Reads the sharp curves of the feature files of the ABC data set. These are YAML as PyYAML writes it: the list
+// `curves` of mappings with the keys `sharp` and `vert_indices`, whose vertices are in brackets or on a line each. The
+// other keys and lists are passed over.
 class Abc_curve_reader
 {
 public:
@@ -73,7 +73,8 @@ private:
   void read_key(const std::size_t line_number, const std::string& text)
   {
     const std::size_t colon = text.find(':');
-    const std::string key = text.substr(0, colon), value = colon == std::string::npos ? "" : trimmed(text.substr(colon + 1));
+    const std::string key = text.substr(0, colon);
+    const std::string value = colon == std::string::npos ? "" : trimmed(text.substr(colon + 1));
     m_is_listing_vertices = key == "vert_indices";
     if(key == "sharp")
       m_is_sharp = value == "true" || value == "True" || value == "yes";

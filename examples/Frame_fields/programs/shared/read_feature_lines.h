@@ -19,8 +19,8 @@ struct Vertex_pair
   throw Failure(BAD_FILE, path + ":" + std::to_string(line_number) + ": " + reason);
 }
 
-// Calls `visit(line_number, content)` for the lines that hold more than a comment. Editors of Windows start files with a
-// byte order mark.
+// Calls `visit(line_number, content)` for the lines that hold more than a comment. Editors of Windows start files with
+// a byte order mark.
 template <typename Visit>
 void for_each_feature_line(const std::string& path, const Visit& visit)
 {

@@ -43,7 +43,8 @@ struct Repair_log
 };
 
 // The polygons as triangles without duplicates.
-inline std::vector<Triangle> repaired_triangles(const Soup& soup, const std::vector<std::size_t>& place, Repair_log& log)
+inline std::vector<Triangle> repaired_triangles(const Soup& soup, const std::vector<std::size_t>& place,
+                                                Repair_log& log)
 {
   Triangulated_soup triangulated = triangulate_soup(soup.points, soup.polygons, place);
   if(triangulated.number_of_wrong_polygons > 0)

@@ -31,7 +31,8 @@ class Polygon_triangulator
 public:
   explicit Polygon_triangulator(const std::vector<Point>& points) : m_points(&points) {}
 
-  // Appends the triangles, none if there is no area inside the ring. Returns what is wrong with the polygon, or nullptr.
+  // Appends the triangles, none if there is no area inside the ring. Returns what is wrong with the polygon, or
+  // nullptr.
   const char* operator()(std::vector<std::size_t> ring, std::vector<Triangle>& triangles)
   {
     drop_repetitions(ring);

@@ -27,7 +27,8 @@ public:
 
   // Joins sides that bound the same solid there, if there are as many forward as backward ones, and none is of a
   // triangle without area. With the normals outwards, solids follow backward sides and end at forward ones.
-  std::vector<std::pair<std::size_t, std::size_t> > pairs(std::vector<Side_at_edge> sides, const bool is_inside_out) const
+  std::vector<std::pair<std::size_t, std::size_t> > pairs(std::vector<Side_at_edge> sides,
+                                                          const bool is_inside_out) const
   {
     const auto is_flat = [&](const Side_at_edge& side) { return CGAL::collinear(m_a, m_b, side.corner); };
     const auto number_of_forward = std::count_if(sides.begin(), sides.end(),

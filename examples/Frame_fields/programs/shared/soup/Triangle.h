@@ -7,8 +7,8 @@
 // Vertices of a file, counter-clockwise.
 typedef std::array<std::size_t, 3> Triangle;
 
-// Sides of triangles have numbers: side 3 t + k of triangle t joins its corner k, which has the same number, to the next
-// one.
+// Sides of triangles have numbers: side 3 t + k of triangle t joins its corner k, which has the same number, to the
+// next one.
 constexpr std::size_t NO_SIDE = static_cast<std::size_t>(-1);
 
 inline std::size_t next_side(const std::size_t side)

@@ -8,8 +8,10 @@
 #include "Triangle.h"
 #include "remove_duplicates.h"
 
+#include <CGAL/Kernel/global_functions_3.h>
+
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -61,7 +63,8 @@ private:
 
   bool is_on(const std::size_t triangle, const std::size_t other) const
   {
-    std::array<std::size_t, 3> a = places_of(m_triangles[triangle], m_place), b = places_of(m_triangles[other], m_place);
+    const std::array<std::size_t, 3> a = places_of(m_triangles[triangle], m_place);
+    const std::array<std::size_t, 3> b = places_of(m_triangles[other], m_place);
     return a[0] == b[0] && (std::min)(a[1], a[2]) == (std::min)(b[1], b[2])
            && (std::max)(a[1], a[2]) == (std::max)(b[1], b[2]);
   }
@@ -103,8 +106,8 @@ private:
     group = std::move(rest);
   }
 
-  // Turns triangles, the fewer ones of each component, until those that are joined are oriented alike, and cuts what has
-  // one side only.
+  // Turns triangles, the fewer ones of each component, until those that are joined are oriented alike, and cuts what
+  // has one side only.
   void orient()
   {
     enum { UNKNOWN, KEPT, TURNED };

@@ -66,8 +66,8 @@ inline Halfedge next_on_border(const Mesh& mesh, const Halfedge inner)
 }
 
 // Builds the mesh without a walk around any vertex but once along borders, so that fans of any size take linear time.
-inline void build_mesh(const std::vector<Point>& points, const Triangle_surface& surface, const Vertex_numbers& vertices,
-                       Mesh& mesh)
+inline void build_mesh(const std::vector<Point>& points, const Triangle_surface& surface,
+                       const Vertex_numbers& vertices, Mesh& mesh)
 {
   const std::size_t number_of_sides = surface.number_of_sides();
   std::size_t number_of_edges = 0;
