@@ -1,6 +1,6 @@
 # Tests of the programs cad_frame_field and cad_quad_mesh, and of the examples: one for each class of test_program.py,
-# test_soups.py and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is reported as skipped
-# then.
+# test_soups.py and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is
+# reported as skipped then.
 # Expects cgal_data_directory and FRAME_FIELDS_CAD_DATA_DIRECTORY.
 
 if(NOT TARGET cad_frame_field)

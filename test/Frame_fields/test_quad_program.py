@@ -10,8 +10,8 @@ import struct
 import unittest
 
 import test_program
-from test_program import (BAD_FILE, BAD_USAGE, CUBE_EDGES, CUBE_FACES, CUBE_POINTS, DONE, ProgramTest,
-                          cross, difference, dot, flange, flange_features, norm, off_text, paths, python_with, read_features,
+from test_program import (BAD_FILE, BAD_USAGE, CUBE_EDGES, CUBE_FACES, CUBE_POINTS, DONE, ProgramTest, cross,
+                          difference, dot, flange, flange_features, norm, off_text, paths, python_with, read_features,
                           read_off, read_vtp, run)
 
 LENGTH = 0.25  # of the edges on the cube, whose edges have length 1

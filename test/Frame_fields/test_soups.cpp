@@ -231,6 +231,38 @@ TEST(Polygon_triangulator, takes_a_random_polygon_exactly_if_it_is_simple)
   EXPECT_GT((std::min)(numbers[false], numbers[true]), 100);
 }
 
+TEST(Polygon_triangulator, any_ring_in_space)
+{
+  std::mt19937 random(2);
+  std::map<bool, int> numbers;
+  for(int trial = 0; trial < 20000; ++trial)
+  {
+    std::vector<Point> points;
+    for(int k = 0; k < 8; ++k)
+      points.emplace_back(k % 3, random() % 3, random() % (1 + trial % 3));
+    Ring ring(3 + random() % 6);
+    for(std::size_t& vertex : ring)
+      vertex = random() % points.size();
+    const std::vector<std::size_t> place = first_at_each_place(points);
+    for(std::size_t& vertex : ring)
+      vertex = place[vertex];
+    std::vector<Triangle> triangles;
+    const char* const fault = Polygon_triangulator(points)(ring, triangles);
+    ++numbers[fault == nullptr];
+    if(fault != nullptr || triangles.empty())
+      continue;
+    Chain expected, found;
+    add_passes(ring, expected);
+    for(const Triangle& t : triangles)
+      add_passes(Ring(t.begin(), t.end()), found);
+    for(const auto& [edge, number] : found)
+      EXPECT_EQ(expected[edge], number);
+    for(const auto& [edge, number] : expected)
+      EXPECT_EQ(found[edge], number);
+  }
+  EXPECT_GT((std::min)(numbers[false], numbers[true]), 1000);
+}
+
 TEST(Polygon_triangulator, large_concave_polygons)
 {
   const long long n = 5000;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests of what the program cad_frame_field makes of polygons, soups and feature files; see --help for the arguments."""
+"""Tests of what cad_frame_field makes of polygons, soups and feature files; see --help for the arguments."""
 
 import itertools
 import math
@@ -55,7 +55,7 @@ class SoupTest(ProgramTest):
         return report["vertices"] - report["faces"] // 2
 
     def assert_warning(self, report, pattern):
-        self.assertRegex("\n".join(report["warnings"]), pattern)
+        self.assertRegex("\n".join(report["warnings"]), re.compile(pattern, re.MULTILINE))
 
 
 class Polygons(SoupTest):
@@ -177,7 +177,8 @@ class Soups(SoupTest):
                 name = self.write(f"soup.{end}", make_text([moved(point, size) for point in points], faces))
                 report = self.report(name)
                 self.assertEqual(counts(report), CUBE_COUNTS)
-                self.assert_warning(report, r": duplicate vertices merged: 28$")
+                if end != "stl":  # which has no other way to say it
+                    self.assert_warning(report, r": duplicate vertices merged: 28$")
 
     def test_soup_of_the_flange(self):
         report = self.report(self.write("soup.off", off_text(*apart(*read_off(flange())))))
@@ -307,8 +308,8 @@ class FeatureNumbers(SoupTest):
         rows = [f"{a} {b}" for a, b in CUBE_EDGES]
         for name, content in (("mark", b"\xef\xbb\xbf" + "\n".join(rows).encode()),
                               ("mark and comment", b"\xef\xbb\xbf# all\r\n" + "\r\n".join(rows).encode()),
-                              ("tabs", "\n".join("\t" + row.replace(" ", "\t\t") + " \t# edge" for row in rows).encode()),
-                              ("commas", "\n\n".join(row.replace(" ", ", ") for row in rows).encode())):
+                              ("tabs", "\n".join(f"\t{a}\t\t{b} \t# edge" for a, b in CUBE_EDGES).encode()),
+                              ("commas", "\n\n".join(f"{a}, {b}" for a, b in CUBE_EDGES).encode())):
             with self.subTest(name):
                 (self.folder / "model.feat").write_bytes(content)
                 self.assertEqual(counts(self.report("cube.off", "--features", "model.feat")), CUBE_COUNTS)
@@ -354,8 +355,8 @@ def abc_text(curves, in_brackets, first=0):
     lines = ["curves:"]
     for vertices, is_sharp in curves:
         numbers = [vertex + first for vertex in vertices]
-        lines += ["- direction: [1.0, 0.0, 0.0]", "  location: [0.5, 1.5, -2.0e-05]", f"  sharp: {str(is_sharp).lower()}",
-                  "  type: Line"]
+        lines += ["- direction: [1.0, 0.0, 0.0]", "  location: [0.5, 1.5, -2.0e-05]",
+                  f"  sharp: {str(is_sharp).lower()}", "  type: Line"]
         if in_brackets:
             text = "  vert_indices: [" + ", ".join(map(str, numbers)) + "]"
             lines += re.sub(r"(.{30}\S*,) ", r"\1\n    ", text).split("\n")

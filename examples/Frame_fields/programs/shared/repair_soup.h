@@ -77,9 +77,9 @@ inline Triangle_surface surface_without_cracks(const std::vector<Point>& points,
   std::vector<Triangle> triangles = surface.triangles();
   check_number_of_borders(unite_near_places(points, borders, tolerance, place), log.path);
   remove_degenerate_triangles(place, triangles);
-  log.warn_of_faces("faces removed that lay in cracks", surface.triangles().size() - triangles.size());
   if(triangles.empty())
     throw Failure(BAD_FILE, log.path + ": all its faces are smaller than the tolerance of --close-cracks");
+  log.warn_of_faces("faces removed that lay in cracks", surface.triangles().size() - triangles.size());
 
   const Triangle_surface united(points, place, triangles);
   check_number_of_borders(split_sides_at_near_places(points, united, tolerance, triangles), log.path);

@@ -161,7 +161,7 @@ private:
     triangles.push_back({ ring[start], ring[start + 2], ring[(start + 3) % 4] });
   }
 
-  // The vertices in the order of the ring, or none if two places are the same in the projection.
+  // The vertices in the order of the ring, or none if two places are the same in the projection, or all in a line.
   std::vector<Vertex_handle> insert_points(const int axis, const std::vector<std::size_t>& ring,
                                            Triangulation& triangulation) const
   {
@@ -172,7 +172,7 @@ private:
     for(std::size_t k = 0; k < distinct.size(); ++k)
       points.emplace_back(projected(distinct[k], axis), k);
     triangulation.insert(points.begin(), points.end());
-    if(triangulation.number_of_vertices() != distinct.size())
+    if(triangulation.number_of_vertices() != distinct.size() || triangulation.dimension() < 2)
       return {};
 
     std::vector<Vertex_handle> vertex_of(distinct.size()), result;
