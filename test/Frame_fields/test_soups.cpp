@@ -709,6 +709,38 @@ TEST(Cracks, are_closed)
       }
 }
 
+TEST(Cracks, any_triangles_stay_a_manifold)
+{
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> shift(0, 0.3);
+  for(int trial = 0; trial < 3000; ++trial)
+  {
+    Test_soup soup;
+    const std::size_t number_of_points = 3 + random() % 12;
+    for(std::size_t k = 0; k < number_of_points; ++k)
+      soup.points.emplace_back(random() % 3 + shift(random), random() % 3 + shift(random), random() % 2);
+    for(std::size_t k = 1 + random() % 20; k > 0; --k)
+      soup.triangles.push_back({ random() % number_of_points, random() % number_of_points,
+                                 random() % number_of_points });
+    std::vector<std::size_t> place = first_at_each_place(soup.points);
+    std::vector<Triangle> triangles = soup.triangles;
+    const auto clean = [&]
+    {
+      remove_degenerate_triangles(place, triangles);
+      remove_duplicate_triangles(place, triangles);
+    };
+    clean();
+    const double tolerance = 0.1 + 0.1 * (trial % 5);
+    const Triangle_surface surface(soup.points, place, triangles);
+    ASSERT_TRUE(unite_near_places(soup.points, borders_of(soup.points, surface), tolerance, place));
+    clean();
+    const Triangle_surface united(soup.points, place, triangles);
+    ASSERT_TRUE(split_sides_at_near_places(soup.points, united, tolerance, triangles));
+    clean();
+    build(soup, place, triangles);
+  }
+}
+
 TEST(Cracks, search_gives_up_where_all_borders_are_near_all)
 {
   std::mt19937 random(5);

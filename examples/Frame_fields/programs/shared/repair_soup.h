@@ -69,6 +69,12 @@ inline void check_number_of_borders(const bool is_searched, const std::string& p
     throw Failure(BAD_FILE, path + ": too many borders are nearer to one another than the tolerance of --close-cracks");
 }
 
+inline void remove_useless_triangles(const std::vector<std::size_t>& place, std::vector<Triangle>& triangles)
+{
+  remove_degenerate_triangles(place, triangles);
+  remove_duplicate_triangles(place, triangles);
+}
+
 // The surface whose border sides are joined across gaps of at most `tolerance`; places that become one are united.
 inline Triangle_surface surface_without_cracks(const std::vector<Point>& points, const Triangle_surface& surface,
                                                const double tolerance, std::vector<std::size_t>& place, Repair_log& log)
@@ -76,14 +82,18 @@ inline Triangle_surface surface_without_cracks(const std::vector<Point>& points,
   const std::vector<Border> borders = borders_of(points, surface);
   std::vector<Triangle> triangles = surface.triangles();
   check_number_of_borders(unite_near_places(points, borders, tolerance, place), log.path);
-  remove_degenerate_triangles(place, triangles);
-  if(triangles.empty())
-    throw Failure(BAD_FILE, log.path + ": all its faces are smaller than the tolerance of --close-cracks");
-  log.warn_of_faces("faces removed that lay in cracks", surface.triangles().size() - triangles.size());
-
+  remove_useless_triangles(place, triangles);
   const Triangle_surface united(points, place, triangles);
   check_number_of_borders(split_sides_at_near_places(points, united, tolerance, triangles), log.path);
-  log.warn_of_faces("faces split where others end at cracks", triangles.size() - united.triangles().size());
+  const std::size_t number_of_parts = triangles.size();
+  remove_useless_triangles(place, triangles);
+  if(triangles.empty())
+    throw Failure(BAD_FILE, log.path + ": all its faces are smaller than the tolerance of --close-cracks");
+
+  const std::size_t number_of_united = united.triangles().size();
+  log.warn_of_faces("faces removed that lay in cracks", surface.triangles().size() - number_of_united
+                                                          + number_of_parts - triangles.size());
+  log.warn_of_faces("faces added by splitting where others end at cracks", number_of_parts - number_of_united);
   Triangle_surface closed(points, place, std::move(triangles));
   const std::size_t number_of_borders = borders_of(points, closed).size();
   if(number_of_borders < borders.size())

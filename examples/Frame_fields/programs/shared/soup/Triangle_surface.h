@@ -212,28 +212,26 @@ private:
     for(std::size_t side = 0; side < m_opposite.size(); ++side)
       if(!is_border(side))
         unite_corners(side, fans);
-    for(const Group& group : m_groups_of_solids)
-      close_holes_of_two_sides(group, fans);
     m_vertex_at.resize(m_opposite.size());
     for(std::size_t corner = 0; corner < m_opposite.size(); ++corner)
       m_vertex_at[corner] = fans.find(corner);
+    close_holes_of_two_sides();
   }
 
-  // What is left of a group may be both sides of one edge whose ends are joined already.
-  void close_holes_of_two_sides(const Group& group, Disjoint_sets& fans)
+  // Border sides that run to and fro between two vertices are joined, too; this changes no vertex.
+  void close_holes_of_two_sides()
   {
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t> > borders; // by the vertices, forwards
-    for(const std::size_t side : group)
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t> > borders; // by the vertices
+    for(std::size_t side = 0; side < m_opposite.size(); ++side)
       if(is_border(side))
       {
-        const std::size_t a = fans.find(side), b = fans.find(next_side(side));
-        borders.push_back({ is_forward(side) ? std::array<std::size_t, 2>{ a, b } : std::array<std::size_t, 2>{ b, a },
-                            side });
+        const std::size_t a = m_vertex_at[side], b = m_vertex_at[next_side(side)];
+        borders.push_back({ { (std::min)(a, b), (std::max)(a, b) }, side });
       }
     std::sort(borders.begin(), borders.end());
     for(std::size_t k = 1; k < borders.size(); ++k)
       if(borders[k].first == borders[k - 1].first && is_border(borders[k - 1].second)
-         && is_forward(borders[k].second) != is_forward(borders[k - 1].second))
+         && m_vertex_at[borders[k].second] != m_vertex_at[borders[k - 1].second])
         join(borders[k - 1].second, borders[k].second);
   }
 
