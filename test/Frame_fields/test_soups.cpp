@@ -4,6 +4,7 @@
 #include "../../examples/Frame_fields/programs/shared/soup/build_mesh.h"
 #include "../../examples/Frame_fields/programs/shared/soup/close_cracks.h"
 #include "../../examples/Frame_fields/programs/shared/soup/first_at_each_place.h"
+#include "../../examples/Frame_fields/programs/shared/soup/is_triangle_manifold.h"
 #include "../../examples/Frame_fields/programs/shared/soup/remove_duplicates.h"
 #include "../../examples/Frame_fields/programs/shared/soup/triangulate_soup.h"
 
@@ -374,6 +375,7 @@ struct Built
 void expect_manifold(const Mesh& mesh, const std::size_t number_of_faces)
 {
   ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_TRUE(is_triangle_manifold(mesh));
   EXPECT_EQ(mesh.number_of_faces(), number_of_faces);
   std::vector<std::size_t> degree(mesh.num_vertices(), 0);
   std::set<std::pair<Vertex, Vertex> > border;
@@ -488,6 +490,35 @@ TEST(Triangle_surface, keeps_numbers_of_vertices)
     const Halfedge h = mesh.halfedge(Face(static_cast<Mesh::size_type>(t)));
     EXPECT_EQ(mesh.target(h).idx(), soup.triangles[t][0]);
     EXPECT_EQ(mesh.source(h).idx(), soup.triangles[t][2]);
+  }
+}
+
+TEST(Triangle_surface, check_finds_what_is_spoilt)
+{
+  const Test_soup soup = box(2);
+  std::mt19937 random(17);
+  for(int trial = 0; trial < 500; ++trial)
+  {
+    Mesh mesh = build(soup).mesh;
+    mesh.add_vertex(Point(9, 9, 9));
+    EXPECT_TRUE(is_triangle_manifold(mesh)) << "a vertex without faces";
+    const auto any = [&] { return Halfedge(static_cast<Mesh::size_type>(random() % mesh.num_halfedges())); };
+    const Halfedge h = any(), other = any();
+    switch(trial % 4)
+    {
+      case 0: mesh.set_target(h, mesh.source(h)); break;
+      case 1: mesh.set_face(h, mesh.face(mesh.opposite(h))); break;
+      case 2: mesh.set_halfedge(mesh.source(h), h); break;
+      case 3: // two faces exchange what follows a halfedge
+      {
+        if(mesh.target(h) == mesh.target(other))
+          continue;
+        const Halfedge next = mesh.next(h);
+        mesh.set_next(h, mesh.next(other));
+        mesh.set_next(other, next);
+      }
+    }
+    EXPECT_FALSE(is_triangle_manifold(mesh));
   }
 }
 

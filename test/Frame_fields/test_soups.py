@@ -202,6 +202,16 @@ class Soups(SoupTest):
                                      (2, 12, 24, 16))
                     self.assertEqual((report["border_edges"], report["border_loops"]), (0, 0))
 
+    def test_vertices_without_faces_keep_the_numbers_of_others(self):
+        points = [(9.0, 9.0, 9.0), *CUBE_POINTS, CUBE_POINTS[3]]
+        faces = [tuple(vertex + 1 for vertex in face) for face in CUBE_FACES]
+        self.write_features([(a + 1, b + 1) for a, b in CUBE_EDGES])
+        for end in ("off", "obj", "ply"):
+            name = self.write(f"cube.{end}", ALL_FORMATS[end](points, faces))
+            report = self.report(name, "--features", "model.feat")
+            self.assertEqual({**counts(report), "vertices": 8}, CUBE_COUNTS)
+            self.assertEqual((report["vertices"], report["warnings"]), (10, []))
+
     def test_borders_are_counted(self):
         for removed, edges, loops in (((), 0, 0), ((0, 1), 4, 1), ((0, 1, 2, 3), 8, 2), ((0, 1, 4, 5), 6, 1),
                                       ((0,), 3, 1)):

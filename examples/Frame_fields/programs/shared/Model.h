@@ -11,8 +11,7 @@
 #include "soup/Triangle_surface.h"
 #include "soup/build_mesh.h"
 #include "soup/first_at_each_place.h"
-
-#include <CGAL/boost/graph/helpers.h>
+#include "soup/is_triangle_manifold.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -94,7 +93,7 @@ inline void number_parts(const Triangle_surface& surface, const Vertex_numbers& 
 
 inline void check_mesh(const std::string& path, const Mesh& mesh, const Triangle_surface& surface)
 {
-  if(mesh.number_of_faces() != surface.triangles().size() || !CGAL::is_valid_polygon_mesh(mesh))
+  if(mesh.number_of_faces() != surface.triangles().size() || !is_triangle_manifold(mesh))
     throw Failure(BAD_FILE, path + ": its faces cannot be made an oriented manifold mesh");
 }
 
