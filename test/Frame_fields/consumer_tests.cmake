@@ -19,5 +19,12 @@ add_consumer_test(consumer_add_subdirectory -DFRAME_FIELDS_SOURCE_DIRECTORY=${PR
 
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${consumer_prefix})
 add_consumer_test(consumer_find_package -DCMAKE_PREFIX_PATH=${consumer_prefix})
+foreach(program cad_frame_field cad_quad_mesh)
+  if(TARGET ${program})
+    add_test(NAME ${program}_installed COMMAND ${consumer_prefix}/bin/${program} --version)
+    set_tests_properties(${program}_installed PROPERTIES FIXTURES_REQUIRED frame_fields_installation
+      PASS_REGULAR_EXPRESSION "^${program} [0-9.]+\n$")
+  endif()
+endforeach()
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP frame_fields_installation)
 set_tests_properties(consumer_find_package PROPERTIES FIXTURES_REQUIRED frame_fields_installation)

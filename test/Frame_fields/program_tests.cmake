@@ -1,6 +1,6 @@
-# Tests of the programs cad_frame_field and cad_quad_mesh, and of the examples: one for each class of test_program.py
-# and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is reported as skipped
-# then.
+# Tests of the programs cad_frame_field and cad_quad_mesh, and of the examples: one for each class of test_program.py,
+# test_soups.py and test_quad_program.py. A class whose tests may be skipped has no others, as the whole class is
+# reported as skipped then.
 # Expects cgal_data_directory and FRAME_FIELDS_CAD_DATA_DIRECTORY.
 
 if(NOT TARGET cad_frame_field)
@@ -29,6 +29,7 @@ function(add_program_tests test_program program)
 endfunction()
 
 add_program_tests(test_program cad_frame_field)
+add_program_tests(test_soups cad_frame_field)
 add_program_tests(test_quad_program cad_quad_mesh)
 
 # The scripts of the benchmarks that measure and compare quad meshes.

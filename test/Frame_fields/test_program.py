@@ -4,7 +4,6 @@
 import argparse
 import collections
 import csv
-import fcntl
 import functools
 import json
 import math
@@ -22,7 +21,7 @@ import tempfile
 import time
 import unittest
 
-DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED, MODEL_FAILED = range(5)
+DONE, BAD_USAGE, BAD_FILE, NOT_SOLVED = range(4)
 QUARTER_TURN = math.pi / 2
 MAXIMUM_SKEWNESS = 0.45 * math.pi
 ANGLE_TOLERANCE = 1e-3  # angles that differ by less count as equal where they decide on a number of quadrangles
@@ -330,6 +329,13 @@ def flange_cut():
     return Cut(*read_off(flange()), read_features(flange_features()))
 
 
+@functools.lru_cache(maxsize=None)
+def python_with(module):
+    """A Python that has a module, or None."""
+    return next((python for python in ("/usr/bin/python3", sys.executable) if os.access(python, os.X_OK)
+                 and run(python, "-c", f"import {module}").returncode == 0), None)
+
+
 class ProgramTest(unittest.TestCase):
     """Runs the program in a folder of its own."""
 
@@ -407,8 +413,8 @@ class Usage(ProgramTest):
                        "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
                        "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
                        "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp",
-                       "--field", "--report", "--batch", "--out-dir", "--jobs", "--timeout", "--quiet", "--verbose",
-                       "--help", "--version", "Exit codes"):
+                       "--field", "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help",
+                       "--version", "Exit codes"):
             with self.subTest(option):
                 self.assertIn(option, text)
                 self.assertIn(option.lower(), manual.lower())
@@ -445,11 +451,8 @@ class Usage(ProgramTest):
                 ("--min-chain-length", "cube.off --features model.feat --min-chain-length 3"),
                 ("--threads", "cube.off --threads 0"), ("--threads", "cube.off --threads many"),
                 (".rosy", "cube.off --field out.txt"), (".rosy", "cube.off --compare model.feat"),
-                ("--out-dir", "--batch list"), ("--batch", "cube.off --jobs 2"), ("--batch", "cube.off --timeout 2"),
-                ("MODEL", "cube.off --batch list --out-dir out"), ("--report", "--batch list --out-dir out --report r"),
-                ("--jobs", "--batch list --out-dir out --jobs 0"),
-                ("--timeout", "--batch list --out-dir out --timeout 0"),
-                ("{}", "--batch list --out-dir out -o out.ply"),
+                ("--close-cracks", "cube.off --close-cracks -1"), ("--close-cracks", "cube.off --close-cracks nan"),
+                ("YAML", "cube.off --write-features out.yml"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
                 ("--output", "cube.off -o"), ("--output", "cube.off -o a.ply -o b.ply"),
                 ("--quiet", "cube.off --quiet=1")):
@@ -472,7 +475,9 @@ class Usage(ProgramTest):
         report = json.loads((self.folder / "out.json").read_text())
         rows = dict(re.split(r" {2,}", line.strip(), maxsplit=1) for line in table.splitlines())
         for row, key in (("faces", "faces"), ("patches", "patches"), ("feature edges", "feature_edges"),
-                         ("sharp corners", "sharp_corners"), ("clamped faces", "clamped_faces")):
+                         ("components", "components"), ("border edges", "border_edges"),
+                         ("border loops", "border_loops"), ("sharp corners", "sharp_corners"),
+                         ("clamped faces", "clamped_faces")):
             self.assertEqual(int(rows[row]), report[key], row)
         self.assertEqual(rows["unmeshable corners"],
                          f"{report['unmeshable_before']} -> {report['unmeshable_after']}")
@@ -867,6 +872,7 @@ class Report(ProgramTest):
     def test_keys_and_types(self):
         report = self.report(self.write_cube())
         for keys, kind in (
+                ("components border_edges border_loops", int),
                 ("faces vertices patches feature_edges split_faces faces_after_split sharp_corners unmeshable_before "
                  "unmeshable_after clamped_faces", int),
                 ("energy_orthogonal energy_relaxed peak_memory_mib", float),
@@ -1005,10 +1011,10 @@ class Options(ProgramTest):
 
     def test_feature_lines_that_name_no_edge_are_told(self):
         self.write_cube()
-        self.write_features([*CUBE_EDGES, (0, 6), (1, 1)])
+        self.write_features([*CUBE_EDGES * 2, (0, 6), (1, 1)])
         report = self.report("cube.off", "--features", "model.feat")
         self.assertEqual(counts(report), CUBE_COUNTS)
-        self.assertRegex("".join(report["warnings"]), "model.feat: .*: 2, the first is line 13, '0 6'")
+        self.assertRegex("".join(report["warnings"]), "model.feat: .*: 2, the first is line 25, '0 6'")
 
 
 class FlangeField(ProgramTest):
@@ -1185,6 +1191,37 @@ class FlangeField(ProgramTest):
             self.assert_fails(BAD_USAGE, "--streamlines", self.write_cube(), *arguments)
 
 
+class FieldInVtk(ProgramTest):
+    def test_cells_and_data(self):
+        python = python_with("vtk")
+        if python is None:
+            self.skipTest("there is no vtk for Python")
+        report = self.report(flange(), "--features", flange_features(), "-o", "out.ply", "--vtp", "out.vtp")
+        self.succeed(flange(), "--features", flange_features(), "-o", "text.ply", "--ascii")
+        completed = run(python, "-c", """
+import json, vtk
+def output_of(reader, name):
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput()
+def counts(data):
+    return [data.GetNumberOfPoints(), data.GetNumberOfPolys(), data.GetNumberOfLines()]
+vtp = output_of(vtk.vtkXMLPolyDataReader(), "out.vtp")
+print(json.dumps({
+    "vtp": counts(vtp), "ply": [counts(output_of(vtk.vtkPLYReader(), name)) for name in ("out.ply", "text.ply")],
+    "arrays": {vtp.GetCellData().GetArrayName(k): vtp.GetCellData().GetArray(k).GetNumberOfTuples()
+               for k in range(vtp.GetCellData().GetNumberOfArrays())},
+    "cells": vtp.GetNumberOfCells()}))
+""", cwd=self.folder)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        read = json.loads(completed.stdout.splitlines()[-1])
+        numbers = [report["vertices"] + report["split_faces"], report["faces_after_split"]]
+        self.assertEqual(read["vtp"], [*numbers, report["feature_edges"]])
+        self.assertEqual(read["ply"], [[*numbers, 0]] * 2)
+        self.assertEqual(read["arrays"], dict.fromkeys(
+            "u v alpha rho index sharp_corner interior streamline".split(), read["cells"]))
+
+
 class Repair(ProgramTest):
     def assert_warnings(self, report, **numbers):
         """Expects warnings with these words and numbers at their ends, and no other ones."""
@@ -1240,12 +1277,6 @@ class Repair(ProgramTest):
         report = self.report(self.write("squares.off", off_text(CUBE_POINTS, CUBE_SQUARES)))
         self.assertEqual(counts(report), CUBE_COUNTS)
         self.assert_warnings(report, faces_of_more_than_three_vertices_triangulated=6)
-
-    def test_faces_that_share_no_vertices_are_told(self):
-        points = [CUBE_POINTS[vertex] for face in CUBE_FACES for vertex in face]
-        faces = [(3 * f, 3 * f + 1, 3 * f + 2) for f in range(len(CUBE_FACES))]
-        report = self.report(self.write("loose.off", off_text(points, faces)))
-        self.assertIn("border vertices that lie on others", "".join(report["warnings"]))
 
     def test_warnings_are_shown_even_when_quiet(self):
         self.write("squares.off", off_text(CUBE_POINTS, CUBE_SQUARES))
@@ -1510,125 +1541,58 @@ class FeatureDetection(ProgramTest):
                          [30, 20, True, 7])
 
 
-class BatchTest(ProgramTest):
+class ParallelTest(ProgramTest):
+    """GNU parallel runs the program on many models."""
+
+    NUMBER = 24
+
     def setUp(self):
         super().setUp()
-        for k in range(5):
-            self.write(f"cube {k}.off", cube_text(1 + k))
-        self.write_features(CUBE_EDGES)
-        self.write("broken.off", cube_text()[:100])
-        self.write("list", '# models\n"cube 0.off" model.feat\n"cube 1.off"\nbroken.off\n"cube 2.off" "model.feat"\n'
-                           'missing.off\n\n"cube 3.off"\n"cube 4.off" cube.txt\n')
-
-    def run_batch(self, *options, **settings):
-        return self.run_program("--batch", "list", "--out-dir", "out", *options, **settings)
-
-    def results(self):
-        lines = (self.folder / "out/results.jsonl").read_text().splitlines()
-        return {result["model"]: result for result in map(json.loads, lines)}, len(lines)
-
-
-class Batch(BatchTest):
-    def test_each_model_has_a_line_and_a_broken_one_takes_no_other_along(self):
-        completed = self.run_batch("--jobs", "3", "-o", "{}.ply", "--no-relaxation")
-        self.assertEqual((completed.returncode, completed.stderr), (MODEL_FAILED, ""))
-        self.assertRegex(completed.stdout, "7 models computed, 3 of them failed; 0 ")
-        results, number = self.results()
-        self.assertEqual(number, 7)
-        for k in range(4):
-            result = results[f"cube {k}.off"]
-            self.assertEqual((result["exit_code"], result["error"], result["signal"]), (DONE, None, None))
-            self.assertEqual(counts(result["report"]), CUBE_COUNTS)
-            self.assertFalse(result["report"]["options"]["relaxation"])
-            self.assertEqual(result["features"], "model.feat" if k in (0, 2) else None)
-            self.assertTrue((self.folder / f"out/cube {k}.ply").is_file())
-        for name, file in (("broken.off", "broken.off"), ("missing.off", "missing.off"), ("cube 4.off", "cube.txt")):
-            self.assertEqual((results[name]["exit_code"], results[name]["report"]), (BAD_FILE, None))
-            self.assertTrue(results[name]["error"].startswith(f"cad_frame_field: error: {file}: "), results[name])
-        self.assertEqual(len(list((self.folder / "out").iterdir())), 5)
-
-    def test_starts_again_where_it_stopped(self):
-        self.run_batch("--jobs", "2")
-        log = self.folder / "out/results.jsonl"
-        lines = log.read_bytes().splitlines(keepends=True)
-        log.write_bytes(b"".join(lines[:3]) + lines[3][:50])  # as if the machine had failed
-        completed = self.run_batch()
-        self.assertRegex(completed.stdout, "4 models computed, . of them failed; 3 ")
-        results, number = self.results()
-        self.assertEqual((len(results), number), (7, 7))
-        self.assertTrue(log.read_bytes().startswith(b"".join(lines[:3])))
-        self.assertEqual(self.run_batch("--quiet").stdout, "")
-        self.assertEqual(self.results()[1], 7)
-        self.run_batch("--no-repair")  # which is another result
-        self.assertEqual(self.results()[1], 14)
-
-    def test_model_that_takes_too_long_or_too_much_memory(self):
-        self.run_batch("--timeout", "0.0001", "--jobs", "1")
-        results, number = self.results()
-        self.assertEqual(number, 7)
-        self.assertIn("stopped after the --timeout", {result["error"] for result in results.values()})
-        for result in results.values():
-            self.assertTrue(result["signal"] == signal.SIGTERM or result["exit_code"] in (DONE, BAD_FILE))
-
-    def test_signal_stops_it_and_it_can_go_on(self):
-        self.write("list", "".join(self.write(f"model_{k}.off", cube_text(1 + k)) + "\n" for k in range(200)))
-        arguments = ("--batch", "list", "--out-dir", "out", "--jobs", "2", "-o", "{}.ply")
-        process = subprocess.Popen([paths.program, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
-        log = self.folder / "out/results.jsonl"
-        while process.poll() is None and not (log.is_file() and log.stat().st_size):
-            time.sleep(0.001)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(), -signal.SIGINT)
-        _, number = self.results()
-        self.assertTrue(0 < number < 200)
-        self.assertFalse(list((self.folder / "out").glob("*.part")))
-        self.assertEqual(self.run_program(*arguments).returncode, DONE)
-        results, total = self.results()
-        self.assertEqual((len(results), total), (200, 200))
-
-    def test_two_batches_do_not_write_to_one_folder(self):
-        (self.folder / "out").mkdir()
-        with open(self.folder / "out/results.jsonl", "a") as log:
-            fcntl.flock(log, fcntl.LOCK_EX)
-            self.assert_fails(BAD_FILE, "another batch", "--batch", "list", "--out-dir", "out")
-
-    def test_wrong_lists(self):
-        for message, text in (("list: there are no models", "# none\n"), ("list:2: ", "a.off\na.off b c\n"),
-                              ("list:1: ", '""\n')):
-            self.write("list", text)
-            completed = self.run_batch()
-            self.assertEqual(completed.returncode, BAD_FILE)
-            self.assertIn(message, completed.stderr)
-        self.write("list", "a/x.off\nb/x.off\n")
-        completed = self.run_batch("-o", "{}.ply")
-        self.assertEqual(completed.returncode, BAD_FILE)
-        self.assertIn("a/x.off and b/x.off", completed.stderr)
-        self.assert_fails(BAD_FILE, "nowhere", "--batch", "nowhere", "--out-dir", "out")
-        self.assert_fails(BAD_FILE, "list: this folder", "--batch", "list", "--out-dir", "list")
-        self.assertFalse((self.folder / "out").exists())
-        (self.folder / "out").mkdir()
-        (self.folder / "out/results.jsonl").write_text("no result\n")
-        self.assert_fails(BAD_FILE, "results.jsonl:1: ", "--batch", "list", "--out-dir", "out")
-
-
-class GnuParallel(BatchTest):
-    def test_the_same_with_gnu_parallel(self):
-        parallel = shutil.which("parallel")
-        if not parallel or "GNU" not in run(parallel, "--version").stdout:
+        self.parallel = shutil.which("parallel")
+        if not self.parallel or "GNU" not in run(self.parallel, "--version").stdout:
             self.skipTest("there is no GNU parallel")
-        self.run_batch("--jobs", "2")
-        (self.folder / "single").mkdir()
-        self.write("models", "".join(f"cube {k}.off\n" for k in range(4)) + "broken.off\n")
-        completed = run(parallel, "--will-cite", "--jobs", "2", "--joblog", "log", "--resume", paths.program, "{}",
-                        "--quiet", "--threads", "1", "--report", "single/{/.}.json", "::::", "models", cwd=self.folder)
-        self.assertEqual(completed.returncode, 1)  # the number of failed jobs
-        results, _ = self.results()
-        for k in range(4):
-            report = json.loads((self.folder / f"single/cube {k}.json").read_text())
-            self.assertEqual(counts(report), counts(results[f"cube {k}.off"]["report"]))
-        self.assertEqual(len(list((self.folder / "single").iterdir())), 4)
-        self.assertEqual(len((self.folder / "log").read_text().splitlines()), 1 + 5)
+        (self.folder / "results").mkdir()
+        names = [self.write(f"cube {k}.off", cube_text(1 + k)) for k in range(self.NUMBER - 1)]
+        self.write("models", "\n".join([*names[:3], self.write("broken.off", cube_text()[:100]), *names[3:]]) + "\n")
+
+    def command(self):
+        """As in the manual."""
+        return [self.parallel, "--will-cite", "--jobs", "2", "--joblog", "log", "--resume", "--timeout", "600",
+                paths.program, "{}", "--quiet", "--threads", "1", "--report", "results/{/.}.json",
+                "-o", "results/{/.}.ply", "::::", "models"]
+
+    def logged(self):
+        """The exit codes of the models that are done, by their numbers from 1."""
+        log = self.folder / "log"
+        rows = [line.split("\t") for line in log.read_text().splitlines()[1:]] if log.is_file() else []
+        codes = {int(row[0]): int(row[6]) for row in rows if len(row) > 8}
+        self.assertEqual(len(codes), len(rows), "no model was done twice")
+        return codes
+
+    def check_that_a_killed_run_goes_on(self):
+        process = subprocess.Popen(self.command(), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while process.poll() is None and len(self.logged()) < 4:
+            time.sleep(0.01)
+        process.kill()
+        process.wait()
+        before = self.logged()
+        self.assertTrue(4 <= len(before) < self.NUMBER, "it was killed before its end")
+        number_of_failures = 4 not in before
+        self.assertEqual(run(*self.command(), cwd=self.folder).returncode, number_of_failures)
+        codes = self.logged()
+        self.assertEqual({number: codes[number] for number in before}, before)
+        self.assertEqual(codes, {number: BAD_FILE if number == 4 else DONE for number in range(1, self.NUMBER + 1)})
+        self.assertEqual({path.name for path in (self.folder / "results").iterdir()},
+                         {f"cube {k}.{end}" for k in range(self.NUMBER - 1) for end in ("json", "ply")})
+        for k in range(self.NUMBER - 1):
+            report = json.loads((self.folder / f"results/cube {k}.json").read_text())
+            self.assertEqual((report["faces"], report["patches"]), (12, 6))
+
+
+class GnuParallel(ParallelTest):
+    def test_killed_run_goes_on_where_it_was(self):
+        self.check_that_a_killed_run_goes_on()
 
 
 class Step(ProgramTest):

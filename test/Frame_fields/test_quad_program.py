@@ -2,19 +2,16 @@
 """Tests of the program cad_quad_mesh; see --help for the arguments."""
 
 import collections
-import functools
 import itertools
 import json
 import math
-import os
 import re
 import struct
-import sys
 import unittest
 
 import test_program
-from test_program import (BAD_FILE, BAD_USAGE, CUBE_EDGES, CUBE_FACES, CUBE_POINTS, DONE, MODEL_FAILED, ProgramTest,
-                          cross, difference, dot, flange, flange_features, norm, off_text, paths, read_features,
+from test_program import (BAD_FILE, BAD_USAGE, CUBE_EDGES, CUBE_FACES, CUBE_POINTS, DONE, ProgramTest, cross,
+                          difference, dot, flange, flange_features, norm, off_text, paths, python_with, read_features,
                           read_off, read_vtp, run)
 
 LENGTH = 0.25  # of the edges on the cube, whose edges have length 1
@@ -138,9 +135,8 @@ class QuadUsage(QuadProgramTest):
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--edge-length", "--quads", "-o", "--ascii", "--feature-lines", "--write-features", "--support",
                        "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
-                       "--no-relaxation", "--threads", "--report", "--batch", "--out-dir", "--jobs", "--timeout",
-                       "--quiet", "--verbose", "--help", "--version", ".obj", ".off", ".ply", ".vtp", ".msh",
-                       "Exit codes"):
+                       "--no-relaxation", "--threads", "--report", "--no-merge", "--close-cracks", "--quiet",
+                       "--verbose", "--help", "--version", ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
             self.assertIn(option, text)
 
     def test_manual_names_every_option_of_the_help(self):
@@ -165,7 +161,7 @@ class QuadUsage(QuadProgramTest):
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
-                ("'ring'", "cube.off --support ring"), ("{}", "--batch list --out-dir out -o out.obj")):
+                ("'ring'", "cube.off --support ring")):
             with self.subTest(arguments):
                 self.assert_fails(BAD_USAGE, message, *arguments.split())
 
@@ -367,30 +363,9 @@ class QuadThreads(QuadProgramTest):
         self.assertEqual(outputs[1:], outputs[:1] * 2)
 
 
-class QuadBatch(QuadProgramTest):
-    def test_each_model_has_a_line_and_its_files(self):
-        self.write_cube()
-        self.write_features(CUBE_EDGES)
-        self.write("broken.off", "OFF\n")
-        self.write("list", "cube.off model.feat\nbroken.off\n")
-        completed = self.run_program("--batch", "list", "--out-dir", "out", "-o", "{}.msh", "-o", "{}.obj",
-                                     "--edge-length", str(LENGTH))
-        self.assertEqual((completed.returncode, completed.stderr), (MODEL_FAILED, ""))
-        results = list(map(json.loads, (self.folder / "out/results.jsonl").read_text().splitlines()))
-        self.assertEqual({result["model"]: result["exit_code"] for result in results},
-                         {"cube.off": DONE, "broken.off": BAD_FILE})
-        report, = (result["report"] for result in results if result["model"] == "cube.off")
-        _, faces, _ = read_obj((self.folder / "out/cube.obj").read_text())
-        self.assertEqual(len(faces), report["quads"])
-        self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
-                         {"results.jsonl", "cube.msh", "cube.obj"})
-
-
-@functools.lru_cache(maxsize=None)
-def python_with(module):
-    """A Python that has a module, or None."""
-    return next((python for python in ("/usr/bin/python3", sys.executable) if os.access(python, os.X_OK)
-                 and run(python, "-c", f"import {module}").returncode == 0), None)
+class QuadsInGnuParallel(test_program.ParallelTest):
+    def test_killed_run_goes_on_where_it_was(self):
+        self.check_that_a_killed_run_goes_on()
 
 
 class OtherReaderTest(QuadProgramTest):

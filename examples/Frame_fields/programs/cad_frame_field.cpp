@@ -14,6 +14,7 @@
 #include "shared/Console.h"
 #include "shared/Input.h"
 #include "shared/Mesh.h"
+#include "shared/Mesh_counts.h"
 #include "shared/program_name.h"
 #include "shared/run_program.h"
 #include "shared/seconds_of.h"
@@ -34,8 +35,7 @@ const char* const program_name = "cad_frame_field";
 
 void split_faces(Mesh& mesh, const Feature_map is_feature, Summary& summary)
 {
-  summary.faces = mesh.number_of_faces();
-  summary.vertices = mesh.number_of_vertices();
+  summary.counts = counts_of(mesh);
   summary.feature_edges = count_features(mesh, is_feature);
   CGAL::Frame_fields::dangling_feature_ends(mesh, is_feature, std::back_inserter(summary.dangling_ends));
   CGAL::Frame_fields::Refinement_statistics statistics;
@@ -104,7 +104,7 @@ Summary run(const Options& options)
   summarize_field(mesh, is_feature, all_sectors, field, summary);
   if(options.compared_field)
     summary.compared =
-      compare_field(options, compared_field, mesh, summary.vertices, is_feature, all_sectors);
+      compare_field(options, compared_field, mesh, summary.counts.vertices, is_feature, all_sectors);
 
   summary.seconds_writing = seconds_of([&]
     { write_meshes(options, mesh, is_feature, all_sectors, field, console); });

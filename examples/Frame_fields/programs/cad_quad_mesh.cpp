@@ -9,6 +9,7 @@
 #include "shared/Console.h"
 #include "shared/Input.h"
 #include "shared/Mesh.h"
+#include "shared/Mesh_counts.h"
 #include "shared/program_name.h"
 #include "shared/run_program.h"
 #include "shared/seconds_of.h"
@@ -44,8 +45,7 @@ Quad_summary run(const Quad_options& options)
   summary.seconds_reading = seconds_of([&] { input = read_input(options, console, [](const Model&) {}); });
   const Mesh& mesh = input.model.mesh;
   const Feature_map is_feature = mark_features(options, input, console);
-  summary.faces = mesh.number_of_faces();
-  summary.vertices = mesh.number_of_vertices();
+  summary.counts = counts_of(mesh);
   summary.feature_edges = count_features(mesh, is_feature);
   CGAL::Frame_fields::dangling_feature_ends(mesh, is_feature, std::back_inserter(summary.dangling_ends));
 

@@ -4,6 +4,7 @@
 #include "Field.h"
 
 #include "../shared/Mesh.h"
+#include "../shared/Mesh_counts.h"
 #include "../shared/sectors.h"
 
 #include <CGAL/Frame_fields/Statistics.h>
@@ -37,7 +38,8 @@ struct Compared_figures
 // The numbers that the program prints and reports.
 struct Summary
 {
-  std::size_t faces = 0, vertices = 0, feature_edges = 0; // before faces are split
+  Mesh_counts counts; // before faces are split
+  std::size_t feature_edges = 0;
   std::vector<Vertex> dangling_ends;                      // of features
   std::size_t split_faces = 0, faces_after_split = 0;
   Index_histogram interior_indices, constrained_indices;

@@ -42,15 +42,14 @@ inline boost::program_options::options_description output_option_descriptions()
 inline boost::program_options::options_description option_descriptions()
 {
   boost::program_options::options_description options;
-  options.add(feature_option_descriptions()).add(field_option_descriptions()).add(comparison_option_descriptions())
-    .add(output_option_descriptions()).add(batch_option_descriptions());
+  options.add(model_option_descriptions()).add(feature_option_descriptions()).add(field_option_descriptions())
+    .add(comparison_option_descriptions()).add(output_option_descriptions());
   return options;
 }
 
 inline void print_help(std::ostream& out)
 {
-  out << "cad_frame_field MODEL [options]\n"
-         "cad_frame_field --batch LIST --out-dir DIR [options]\n\n"
+  out << "cad_frame_field MODEL [options]\n\n"
          "Computes a frame field that a quadrangle mesh can follow on a CAD model.\n"
          "MODEL is a file whose name ends with one of " << known_extensions << ".\n"
          "What is not an oriented manifold triangle mesh is repaired before; warnings tell how.\n\n"

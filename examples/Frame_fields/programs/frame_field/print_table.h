@@ -62,8 +62,11 @@ inline void print_compared(const Compared_figures& compared)
 inline void print_table(const Summary& summary, const bool is_verbose)
 {
   const CGAL::Frame_fields::Statistics& statistics = summary.statistics;
-  print_row("faces", summary.faces);
-  print_row("vertices", summary.vertices);
+  print_row("faces", summary.counts.faces);
+  print_row("vertices", summary.counts.vertices);
+  print_row("components", summary.counts.components);
+  print_row("border edges", summary.counts.border_edges);
+  print_row("border loops", summary.counts.border_loops);
   print_row("patches", statistics.number_of_patches);
   print_row("feature edges", summary.feature_edges);
   print_row("dangling ends", summary.dangling_ends.size());

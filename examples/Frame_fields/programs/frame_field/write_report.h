@@ -64,8 +64,11 @@ inline void write_report(std::ostream& out, const Options& options, const Summar
   const Json report = {
     { "model", options.model },
     { "options", json_of(options) },
-    { "faces", summary.faces },
-    { "vertices", summary.vertices },
+    { "faces", summary.counts.faces },
+    { "vertices", summary.counts.vertices },
+    { "components", summary.counts.components },
+    { "border_edges", summary.counts.border_edges },
+    { "border_loops", summary.counts.border_loops },
     { "patches", statistics.number_of_patches },
     { "feature_edges", summary.feature_edges },
     { "dangling_ends", json_of(summary.dangling_ends) },

@@ -2,6 +2,7 @@
 #define FRAME_FIELDS_PROGRAMS_QUAD_SUMMARY_H
 
 #include "../shared/Mesh.h"
+#include "../shared/Mesh_counts.h"
 
 #include <CGAL/Frame_fields/Quad_statistics.h>
 
@@ -12,7 +13,8 @@
 // The numbers that the program prints and reports.
 struct Quad_summary
 {
-  std::size_t faces = 0, vertices = 0, feature_edges = 0; // of the model
+  Mesh_counts counts; // of the model
+  std::size_t feature_edges = 0;
   std::vector<Vertex> dangling_ends;                      // of its features
   std::size_t quad_vertices = 0, quad_feature_edges = 0;
   CGAL::Frame_fields::Quad_statistics statistics;

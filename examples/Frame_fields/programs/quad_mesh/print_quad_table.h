@@ -40,8 +40,11 @@ inline void print_quad_table(const Quad_summary& summary, const bool is_verbose)
 {
   const CGAL::Frame_fields::Quad_statistics& statistics = summary.statistics;
   const CGAL::Frame_fields::Quad_quality& quality = statistics.quality;
-  print_row("faces", summary.faces);
-  print_row("vertices", summary.vertices);
+  print_row("faces", summary.counts.faces);
+  print_row("vertices", summary.counts.vertices);
+  print_row("components", summary.counts.components);
+  print_row("border edges", summary.counts.border_edges);
+  print_row("border loops", summary.counts.border_loops);
   print_row("feature edges", summary.feature_edges);
   print_row("dangling ends", summary.dangling_ends.size());
   print_row("nodes", statistics.number_of_nodes);

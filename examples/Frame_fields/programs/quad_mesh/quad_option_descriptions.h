@@ -40,15 +40,14 @@ inline boost::program_options::options_description quad_output_option_descriptio
 inline boost::program_options::options_description quad_option_descriptions()
 {
   boost::program_options::options_description options;
-  options.add(feature_option_descriptions()).add(size_option_descriptions()).add(quad_output_option_descriptions())
-    .add(field_option_descriptions()).add(batch_option_descriptions());
+  options.add(model_option_descriptions()).add(feature_option_descriptions()).add(size_option_descriptions())
+    .add(quad_output_option_descriptions()).add(field_option_descriptions());
   return options;
 }
 
 inline void print_quad_help(std::ostream& out)
 {
-  out << "cad_quad_mesh MODEL [--edge-length L | --quads N] -o OUT [options]\n"
-         "cad_quad_mesh --batch LIST --out-dir DIR [options]\n\n"
+  out << "cad_quad_mesh MODEL [--edge-length L | --quads N] -o OUT [options]\n\n"
          "Makes a mesh of quadrangles on a CAD model; each feature edge becomes a chain of edges.\n"
          "MODEL is a file whose name ends with one of " << known_extensions << ".\n"
          "What is not an oriented manifold triangle mesh is repaired before; warnings tell how.\n\n"

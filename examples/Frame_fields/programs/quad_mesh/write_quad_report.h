@@ -75,8 +75,11 @@ inline void write_quad_report(std::ostream& out, const Quad_options& options, co
   const Json report = {
     { "model", options.model },
     { "options", json_of(options) },
-    { "faces", summary.faces },
-    { "vertices", summary.vertices },
+    { "faces", summary.counts.faces },
+    { "vertices", summary.counts.vertices },
+    { "components", summary.counts.components },
+    { "border_edges", summary.counts.border_edges },
+    { "border_loops", summary.counts.border_loops },
     { "feature_edges", summary.feature_edges },
     { "dangling_ends", json_of(summary.dangling_ends) },
     { "target_edge_length", statistics.target_edge_length },

@@ -9,8 +9,7 @@ enum Exit_code
   DONE = 0,
   BAD_USAGE = 1,
   BAD_FILE = 2,
-  NOT_SOLVED = 3,
-  MODEL_FAILED = 4 // of a batch
+  NOT_SOLVED = 3
 };
 
 // Ends the program with a message that says which file, which element and what to do.

@@ -8,10 +8,10 @@
 #include "Shared_options.h"
 #include "Soup.h"
 #include "feature_edges.h"
+#include "read_feature_lines.h"
 #include "read_features.h"
 
 #include <new>
-#include <utility>
 #include <vector>
 
 // What the model and its feature file hold.
@@ -28,11 +28,11 @@ Input read_input(const Shared_options& options, Console& console, const ReadMore
   console.show_progress("reading " + options.model);
   try
   {
-    Soup soup = read_soup(options.model);
+    const Soup soup = read_soup(options.model);
     Input input;
     if(options.features)
       input.features = read_features(*options.features, soup);
-    input.model = make_model(options.model, std::move(soup), console);
+    input.model = make_model(options, soup, console);
     read_more(input.model);
     return input;
   }

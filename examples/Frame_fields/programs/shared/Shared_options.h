@@ -2,6 +2,7 @@
 #define FRAME_FIELDS_PROGRAMS_SHARED_OPTIONS_H
 
 #include "Failure.h"
+#include "feature_formats.h"
 #include "option_values.h"
 
 #include <CGAL/Frame_fields/Edge_weighting.h>
@@ -21,6 +22,8 @@
 struct Shared_options
 {
   std::string model;
+  bool merges_vertices;
+  double crack_tolerance; // a length of the model; 0 if cracks stay open
   std::optional<std::string> features, index_targets;
   double feature_angle, weak_angle; // degrees
   bool closes_gaps;
@@ -102,6 +105,14 @@ inline void check_that_files_replace_detection(const boost::program_options::var
       throw Failure(BAD_USAGE, std::string("--features and --") + name + " exclude each other");
 }
 
+inline std::optional<std::string> written_features_option(const boost::program_options::variables_map& variables)
+{
+  const std::optional<std::string> path = file_option(variables, "write-features");
+  if(path && feature_format_of(*path) == ABC_CURVES)
+    throw Failure(BAD_USAGE, *path + ": features are not written as YAML; give another end of the name");
+  return path;
+}
+
 inline Shared_options shared_options_from(const boost::program_options::variables_map& variables)
 {
   if(variables.count("features"))
@@ -109,6 +120,8 @@ inline Shared_options shared_options_from(const boost::program_options::variable
 
   Shared_options options;
   options.model = variables.count("model") ? variables["model"].as<std::string>() : "";
+  options.merges_vertices = !variables.count("no-merge");
+  options.crack_tolerance = non_negative_option(variables, "close-cracks");
   options.features = file_option(variables, "features");
   options.index_targets = file_option(variables, "index-targets");
   options.feature_angle = angle_option(variables, "feature-angle", 180);
@@ -124,7 +137,7 @@ inline Shared_options shared_options_from(const boost::program_options::variable
   options.relaxes_orthogonality = !variables.count("no-relaxation");
   options.number_of_threads = threads_option(variables);
   options.report = file_option(variables, "report");
-  options.written_features = file_option(variables, "write-features");
+  options.written_features = written_features_option(variables);
   options.is_quiet = variables.count("quiet");
   options.is_verbose = variables.count("verbose");
   return options;

@@ -18,7 +18,7 @@
 
 typedef boost::property_map<Mesh, CGAL::dynamic_halfedge_property_t<int> >::const_type Index_target_map;
 
-// 4 I for places, from a file with a vertex index of the model and 4 I on each line.
+// 4 I for parts, from a file with a vertex index of the model and 4 I on each line.
 inline std::map<std::size_t, int> read_index_targets(const std::string& path, const Model& model)
 {
   std::map<std::size_t, int> targets;
@@ -29,10 +29,10 @@ inline std::map<std::size_t, int> read_index_targets(const std::string& path, co
     int target;
     if(!(words >> vertex >> target) || !(words >> std::ws).eof())
       throw Failure(BAD_FILE, path + ":" + std::to_string(line_number) + ": a line must hold a vertex index and 4 I");
-    if(vertex < 0 || vertex >= static_cast<long long>(model.place_in_file.size()))
+    if(vertex < 0 || vertex >= static_cast<long long>(model.part_in_file.size()))
       throw Failure(BAD_FILE, path + ":" + std::to_string(line_number) + ": the model has no vertex "
                               + std::to_string(vertex));
-    targets[model.place_in_file[vertex]] = target;
+    targets[model.part_in_file[vertex]] = target;
   });
   return targets;
 }
@@ -52,10 +52,10 @@ inline Index_target_map mark_index_targets(const std::string& path, const Model&
   const Index_target_map result = get(CGAL::dynamic_halfedge_property_t<int>(), model.mesh);
   for(const Halfedge h : model.mesh.halfedges())
     put(result, h, CGAL::Frame_fields::NO_INDEX_TARGET);
-  for(std::size_t k = 0; k < model.place_in_mesh.size(); ++k)
+  for(std::size_t k = 0; k < model.part_in_mesh.size(); ++k)
   {
     const Vertex v(static_cast<Mesh::size_type>(k));
-    const auto found = targets.find(model.place_in_mesh[k]);
+    const auto found = targets.find(model.part_in_mesh[k]);
     if(found == targets.end() || model.mesh.is_isolated(v))
       continue;
     if(is_on_feature(model.mesh, is_feature, v))

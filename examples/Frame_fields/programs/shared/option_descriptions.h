@@ -19,6 +19,16 @@ inline auto number_value(const char* const name, const double default_value, con
   return boost::program_options::value<double>()->value_name(name)->default_value(default_value, text);
 }
 
+inline boost::program_options::options_description model_option_descriptions()
+{
+  boost::program_options::options_description options("Model", 100);
+  options.add_options()
+    ("no-merge", "keep vertices at the same place apart; otherwise the surface goes on where borders meet there")
+    ("close-cracks", number_value("L", 0, "0"),
+     "join borders that are at most L (a length of the model) apart; a warning tells of cracks and a value of L");
+  return options;
+}
+
 inline boost::program_options::options_description feature_option_descriptions()
 {
   namespace po = boost::program_options;
@@ -26,7 +36,7 @@ inline boost::program_options::options_description feature_option_descriptions()
   options.add_options()
     ("features", file_value(),
      "read the feature edges: two vertex indices of MODEL a line, counted from 0; # starts a comment. The\n"
-     "ends .sharp and .feature of the name stand for the formats of QuadWild")
+     "ends .sharp and .feature of the name stand for the formats of QuadWild, .yml for that of ABC")
     ("feature-angle", number_value("DEG", 40, "40"),
      "without --features: edges whose faces' normals differ by DEG degrees or more are features")
     ("weak-angle", boost::program_options::value<double>()->value_name("DEG"),
@@ -72,26 +82,10 @@ inline void add_run_option_descriptions(boost::program_options::options_descript
     ("version", "print the version");
 }
 
-inline boost::program_options::options_description batch_option_descriptions()
-{
-  namespace po = boost::program_options;
-  po::options_description options("Many models", 100);
-  options.add_options()
-    ("batch", po::value<std::string>()->value_name("LIST"),
-     "take models from a file: a line holds the name of a model and, if it has one, that of its feature file;\n"
-     "names with blanks in double quotes. Each model has a process of its own")
-    ("out-dir", po::value<std::string>()->value_name("DIR"),
-     "write a line of JSON for each model to DIR/results.jsonl. Models that have a line there are left out. Names\n"
-     "of output files are in DIR, too, and must contain {}, which stands for the model's name without folder and end")
-    ("jobs", po::value<int>()->value_name("N"), "how many models to compute at a time; as many as cores by default")
-    ("timeout", po::value<double>()->value_name("S"), "stop a model after S seconds");
-  return options;
-}
-
 inline void print_exit_codes(std::ostream& out)
 {
-  out << "Exit codes: 0 done, 1 bad usage, 2 a file cannot be read or written or is invalid, 3 no solution was found,\n"
-         "4 a model of a batch failed. After a signal no unfinished file is left, and the signal ends the program.\n";
+  out << "Exit codes: 0 done, 1 bad usage, 2 a file cannot be read or written or is invalid, 3 no solution was found.\n"
+         "After a signal no unfinished file is left, and the signal ends the program.\n";
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_OPTION_DESCRIPTIONS_H

@@ -5,23 +5,14 @@
 #include "Soup.h"
 #include "feature_formats.h"
 #include "input_file.h"
+#include "read_curves_of_abc.h"
+#include "read_feature_lines.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
-
-// A line of a feature file: the indices of two vertices of the model.
-struct Vertex_pair
-{
-  std::size_t first, second, line_number;
-};
-
-[[noreturn]] inline void fail_in_line(const std::string& path, const std::size_t line_number, const std::string& reason)
-{
-  throw Failure(BAD_FILE, path + ":" + std::to_string(line_number) + ": " + reason);
-}
 
 // The integers of a line, between blanks or commas. Signed, since a stream reads -1 as a large unsigned number without
 // complaint.
@@ -38,18 +29,13 @@ inline std::vector<long long> integers_of_line(const std::string& path, const st
   return integers;
 }
 
-inline std::vector<Vertex_pair> read_vertex_pairs(const std::string& path, const std::size_t number_of_vertices)
+inline std::vector<Vertex_pair> read_vertex_pairs(const std::string& path)
 {
   std::vector<Vertex_pair> pairs;
-  for_each_line(path, [&](const std::size_t line_number, const std::string& content)
+  for_each_feature_line(path, [&](const std::size_t line_number, const std::string& content)
   {
     const auto vertices = integers_of_line(path, line_number, content, 2, "two vertex indices");
-    const long long end = static_cast<long long>(number_of_vertices);
-    for(const long long vertex : vertices)
-      if(vertex < 0 || vertex >= end)
-        fail_in_line(path, line_number, "the model has no vertex " + std::to_string(vertex) + ", its last one is "
-                                        + std::to_string(end - 1));
-    pairs.push_back({ static_cast<std::size_t>(vertices[0]), static_cast<std::size_t>(vertices[1]), line_number });
+    pairs.push_back({ vertices[0], vertices[1], line_number });
   });
   return pairs;
 }
@@ -64,7 +50,8 @@ inline Vertex_pair edge_of_face(const std::string& path, const std::size_t line_
   const std::vector<std::size_t>& polygon = soup.polygons[face];
   if(edge < 0 || edge >= static_cast<long long>(polygon.size()))
     fail_in_line(path, line_number, "face " + std::to_string(face) + " has no edge " + std::to_string(edge));
-  return { polygon[edge], polygon[(edge + 1) % polygon.size()], line_number };
+  return { static_cast<long long>(polygon[edge]), static_cast<long long>(polygon[(edge + 1) % polygon.size()]),
+           line_number };
 }
 
 // Reads the formats of QuadWild.
@@ -73,7 +60,7 @@ inline std::vector<Vertex_pair> read_edges_of_faces(const std::string& path, con
   std::vector<Vertex_pair> pairs;
   long long number_of_edges = -1;
   std::size_t last_line_number = 0;
-  for_each_line(path, [&](const std::size_t line_number, const std::string& content)
+  for_each_feature_line(path, [&](const std::size_t line_number, const std::string& content)
   {
     last_line_number = line_number;
     if(number_of_edges < 0)
@@ -95,8 +82,12 @@ inline std::vector<Vertex_pair> read_edges_of_faces(const std::string& path, con
 inline std::vector<Vertex_pair> read_features(const std::string& path, const Soup& soup)
 {
   const Feature_format format = feature_format_of(path);
-  return format == VERTEX_PAIRS ? read_vertex_pairs(path, soup.points.size())
-                                : read_edges_of_faces(path, format == SHARP, soup);
+  switch(format)
+  {
+    case VERTEX_PAIRS: return read_vertex_pairs(path);
+    case ABC_CURVES:   return read_curves_of_abc(path);
+    default:           return read_edges_of_faces(path, format == SHARP, soup);
+  }
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_READ_FEATURES_H

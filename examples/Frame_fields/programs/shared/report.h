@@ -15,7 +15,9 @@ typedef nlohmann::ordered_json Json;
 
 inline Json json_of_shared(const Shared_options& options)
 {
-  return { { "features", options.features ? Json(*options.features) : Json() },
+  return { { "merge", options.merges_vertices },
+           { "close_cracks", options.crack_tolerance },
+           { "features", options.features ? Json(*options.features) : Json() },
            { "feature_angle", options.features ? Json() : Json(options.feature_angle) },
            { "weak_angle", options.features ? Json() : Json(options.weak_angle) },
            { "close_gaps", options.features ? Json() : Json(options.closes_gaps) },

@@ -6,7 +6,6 @@
 #include "Thread_limit.h"
 #include "Unfinished_file.h"
 #include "program_name.h"
-#include "run_batch.h"
 #include "write_file.h"
 
 #include <exception>
@@ -29,7 +28,7 @@ inline int fail(const Exit_code exit_code, const char* const message)
 }
 
 template <typename Program>
-Exit_code run_one(const typename Program::Options& options)
+void compute(const typename Program::Options& options)
 {
   remove_unfinished_file_at_signals();
   const Thread_limit thread_limit(options.number_of_threads);
@@ -38,7 +37,6 @@ Exit_code run_one(const typename Program::Options& options)
   const auto summary = Program::run(options);
   if(!options.is_quiet)
     Program::print_table(summary, options);
-  return DONE;
 }
 
 // The main function of a program: a class with the type `Options` and the static functions `option_descriptions()`,
@@ -48,12 +46,11 @@ template <typename Program>
 int run_program(const int argc, char** const argv)
 try
 {
-  const std::optional<Command_line<Program> > command_line = read_command_line<Program>(argc, argv);
-  Exit_code exit_code = DONE;
-  if(command_line)
-    exit_code = command_line->batch ? run_batch(*command_line->batch) : run_one<Program>(command_line->options);
+  const std::optional<typename Program::Options> options = read_command_line<Program>(argc, argv);
+  if(options)
+    compute<Program>(*options);
   check_standard_output();
-  return exit_code;
+  return DONE;
 }
 catch(const Failure& failure)
 {
