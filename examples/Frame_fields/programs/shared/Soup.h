@@ -2,7 +2,6 @@
 #define FRAME_FIELDS_PROGRAMS_SOUP_H
 
 #include "Console.h"
-#include "Failure.h"
 #include "Mesh.h"
 #include "formats/Raw_soup.h"
 #include "formats/read_raw_soup.h"
@@ -53,8 +52,6 @@ inline Soup read_soup(const std::string& path, Console& console)
   const Raw_soup raw = read_raw_soup_of_file(path);
   for(const std::string& warning : raw.warnings)
     console.warn(path + ": " + warning);
-  if(raw.ends.empty())
-    throw Failure(BAD_FILE, path + ": there are no faces in it");
   return soup_of(raw);
 }
 

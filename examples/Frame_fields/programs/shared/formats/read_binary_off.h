@@ -7,7 +7,6 @@
 #include "Off_header.h"
 #include "Raw_soup.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -90,26 +89,31 @@ private:
   Raw_soup m_soup;
 };
 
-// Takes the first layout with which the file has all that it announces and ends there.
+// Takes the one layout with which the file has all that it announces and ends there.
 inline Raw_soup read_binary_off(const File_content& file, const Off_header& header)
 {
-  std::vector<Binary_off_layout> others = { { 4, false } };
+  std::vector<Binary_off_layout> layouts = { { 4, true }, { 4, false } };
   if(header.has_colors)
-    others.insert(others.end(), { { 3, true }, { 3, false } });
-  try
-  {
-    return Binary_off_reader(file, header, { 4, true }).read();
-  }
-  catch(const Failure&)
-  {
-    for(const Binary_off_layout& layout : others)
-      try
-      {
-        return Binary_off_reader(file, header, layout).read();
-      }
-      catch(const Failure&) {}
-    throw; // with what is wrong with the layout of Geomview
-  }
+    layouts.push_back({ 3, true });
+  std::vector<Raw_soup> soups;
+  std::string first_fault; // with the layout of Geomview
+  for(const Binary_off_layout& layout : layouts)
+    try
+    {
+      soups.push_back(Binary_off_reader(file, header, layout).read());
+    }
+    catch(const Failure& failure)
+    {
+      if(first_fault.empty())
+        first_fault = failure.what();
+    }
+  if(soups.empty())
+    throw Failure(BAD_FILE, first_fault);
+  for(const Raw_soup& soup : soups)
+    if(soup.points != soups[0].points || soup.corners != soups[0].corners || soup.ends != soups[0].ends)
+      file.fail("byte " + std::to_string(header.begin_of_binary - file.begin())
+                + ": it does not become clear from here on how long colours are");
+  return std::move(soups[0]);
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_FORMATS_READ_BINARY_OFF_H
