@@ -388,7 +388,8 @@ TEST(Readers, Numbers_have_many_forms)
 {
   const std::pair<const char*, double> forms[] = {
     { "77.", 77 }, { "+77", 77 }, { "077", 77 }, { "7.7E1", 77 }, { "7.7e+01", 77 }, { "770e-1", 77 }, { ".77e2", 77 },
-    { "-.5", -0.5 }, { "1e-400", 0 }, { "-1e-400", 0 }, { "4.9e-324", 4.9e-324 }, { "1.7976931348623157e308", 1.7976931348623157e308 },
+    { "-.5", -0.5 }, { "1e-400", 0 }, { "-1e-400", 0 }, { "4.9e-324", 4.9e-324 },
+    { "1.7976931348623157e308", 1.7976931348623157e308 },
     { "0.1000000000000000055511151231257827021181583404541015625", 0.1 } };
   Model model = triangle_model();
   for(const auto& [text, value] : forms)
@@ -508,13 +509,16 @@ TEST(Readers, Files_of_another_kind_are_refused)
 
 TEST(Obj, Corners_have_any_of_their_forms)
 {
-  const Model model{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 2, 3, 0 }, { 0, 1, 2, 3 } } };
+  const Model model{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+                     { { 0, 1, 2 }, { 2, 3, 0 }, { 0, 1, 2, 3 } } };
   for(const char* const faces : { "f 1 2 3\nf 3 4 1\nf 1 2 3 4\n", "f 1/7 2/8 3/9\nf 3// 4/ 1\nf 1/1/1 2//2 3/3 4\n",
                                   "f -4 -3 -2\nf -2//-1 -1/5 -4\nf 1 -3 +3 -1\n",
-                                  "f 1 2 3\nf 3 4 1\nf 1 2 3 4", "f 1 \\\n2 \\\r\n 3\nf 3 \\\n\\ \n4 1\nf\t1\\\n2 3 4 \\",
+                                  "f 1 2 3\nf 3 4 1\nf 1 2 3 4",
+                                  "f 1 \\\n2 \\\r\n 3\nf 3 \\\n\\ \n4 1\nf\t1\\\n2 3 4 \\",
                                   "f 1 2 3 # 4\nf 3 4 1#2\n#f 1 2 4\\\nf 1 2 3 4\n" })
     expect_model(model, "m.obj", std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n") + faces);
-  expect_model(model, "m.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0 0 0 0 1\nf 3 4 1\nf -4 -3 -2 -1\n");
+  expect_model(model, "m.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0 0 0 0 1\nf 3 4 1\n"
+                               "f -4 -3 -2 -1\n");
   expect_model(model, "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -2 -1 -4\nf -4 -3 -2 -1\n");
 }
 
@@ -537,10 +541,11 @@ TEST(Obj, Other_statements_are_left_out_and_counted)
 TEST(Obj, Faults_are_refused_with_their_line)
 {
   const std::string text = "v 0 0 0\nv 1 0 0\r\nv 0 1 0\n";
-  for(const char* const line : { "f 1 2 4", "f 1 2 0", "f 1 2 -4", "f 1 2 3.0", "f 1 2 3a", "f 1 2 a", "f", "f 1/2/3/4 2 3",
-                                 "f 1/x 2 3", "f 1,2,3", "f 1 2 99999999999999999999", "f 1 2 \\ 3", "f /1 2 3", "v", "v 1",
-                                 "v 1 2", "v 1.04.0 0.0", "v 1 2 3 4 5", "v 1 2 3 4 5 6 7 8", "v 1 2 x", "v 1 2 3 x",
-                                 "1 2 3", "-1", ".5", "\x80 1", "v\xC2\xA0" "1 2 3", "v 0\x00 0 0" })
+  for(const char* const line : { "f 1 2 4", "f 1 2 0", "f 1 2 -4", "f 1 2 3.0", "f 1 2 3a", "f 1 2 a", "f",
+                                 "f 1/2/3/4 2 3", "f 1/x 2 3", "f 1,2,3", "f 1 2 99999999999999999999", "f 1 2 \\ 3",
+                                 "f /1 2 3", "v", "v 1", "v 1 2", "v 1.04.0 0.0", "v 1 2 3 4 5",
+                                 "v 1 2 3 4 5 6 7 8", "v 1 2 x", "v 1 2 3 x",
+                                 "1 2 3", "-1", ".5", "\x80 1", "v\xC2\xA0" "1 2 3" })
   {
     expect_failure("line 4", "m.obj", text + line + "\nf 1 2 3\n");
     expect_failure("line 4", "m.obj", text + line);
@@ -682,13 +687,15 @@ TEST(Ply, Elements_and_properties_have_any_order)
   const auto integer = [](const char* const type, const long long value) { return bytes_of(type, value, true); };
   std::string body = integer("uchar", 2) + float_4(1) + float_4(2) + integer("uchar", 9) + integer("short", 3)
                      + integer("ushort", 2) + integer("ushort", 0) + integer("ushort", 1) + float_8(0.5)
-                     + integer("int", 1) + integer("int", 7) + integer("int", 8) + integer("int", 0) + integer("int", 8);
+                     + integer("int", 1) + integer("int", 7) + integer("int", 8) + integer("int", 0)
+                     + integer("int", 8);
   for(const Coordinates& point : model.points)
     body += integer("short", static_cast<long long>(point[2])) + integer("uchar", 255) + integer("uchar", 1)
             + integer("uchar", 4) + float_8(point[1]) + float_4(static_cast<float>(point[0]));
   body += integer("int", 0) + integer("int", 1);
   expect_model(model, "m.ply", "ply\nformat binary_big_endian 1.0\n" + header + body);
-  const std::string text = "2 1 2 9 3 2 0 1 0.5\n1 7 8\n0 8\n-3 255 1 4 2.25 1.5\n6 255 1 4 5 4.5\n9 255 0 8 -7.5\n0 1\n";
+  const std::string text = "2 1 2 9 3 2 0 1 0.5\n1 7 8\n0 8\n-3 255 1 4 2.25 1.5\n6 255 1 4 5 4.5\n"
+                           "9 255 0 8 -7.5\n0 1\n";
   expect_model(model, "m.ply", "ply\nformat ascii 1.0\n" + header + text);
   expect_warnings({ "elements left out: 2 of kind 'material'" }, "m.ply", "ply\nformat ascii 1.0\n" + header + text);
 }
@@ -746,7 +753,8 @@ TEST(Ply, Faults_are_refused_with_their_line)
         { "double x", "double w" }, { "double x", "double y" }, { "double x", "list uchar double x" },
         { "vertex_indices", "indices" }, { "list uchar int", "int" }, { "uchar int", "uchar float" } })
     expect_failure("the ", "m.ply", replaced_first(text, old, replacement));
-  expect_failure("line 5", "m.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nelement face 1\nend_header\n3 1 1");
+  expect_failure("line 5", "m.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 4000000000\nelement face 1\nend_header\n3 1 1");
 }
 
 TEST(Ply, Faults_in_bytes_are_refused_with_their_byte)
@@ -758,7 +766,8 @@ TEST(Ply, Faults_in_bytes_are_refused_with_their_byte)
     return std::string(content).replace(at, bytes.size(), bytes);
   };
   for(const double value : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
-    expect_failure("byte " + std::to_string(start + 24) + ": vertex 1 ", "m.ply", with(start + 32, bytes_of(value, false)));
+    expect_failure("byte " + std::to_string(start + 24) + ": vertex 1 ", "m.ply",
+                   with(start + 32, bytes_of(value, false)));
   for(const std::int32_t index : { -1, 3, 1 << 30 })
     expect_failure("byte " + std::to_string(list + 5), "m.ply", with(list + 1, bytes_of(index, false)));
   for(const char count : { '\0', '\4', '\xFF' })
@@ -775,7 +784,7 @@ TEST(Stl, Text_and_bytes_are_told_apart_by_the_size)
     expect_model(expected, "m.stl", binary_stl(model, start));
   for(const char* const start : { "", "# a comment\n", "\n\n \t", "exported by a program\n", "\xEF\xBB\xBF# solid\n" })
     for(const char* const name : { "", "model", "facet", "solid facet normal 0 0 1", "endsolid", "outer loop vertex",
-                                   "a name of more than the eighty bytes that the header of a binary file has ........" })
+                                   "a name of more than the eighty bytes that the header of a binary file has ......" })
       expect_model(expected, "m.stl", start + stl(model, name));
   expect_model(expected, "m.stl", replaced(stl(model), "solid ", "solid\t"));
   expect_model(expected, "m.stl", replaced(stl(model), "solid", "Solid"));
@@ -819,7 +828,7 @@ TEST(Stl, Faults_are_refused_with_their_place)
         { "outer ", "", 3 }, { "vertex 0 0 0\n", "", 6 }, { "vertex 0 0 0\n", "vertex 0 0\n", 5 },
         { "vertex 0 0 0\n", "vertex 0 0 0 0\n", 4 }, { "vertex 0 0 0\n", "point 0 0 0\n", 4 }, { "endloop\n", "\n", 8 },
         { "endfacet\n", "\n", 9 }, { "endsolid model\n", "", 9 }, { "endsolid model\n", "solid model\n", 9 },
-        { "endfacet", "endfacet\n\x80", 9 } })
+        { "endfacet", "endfacet\n\x80", 9 }, { "endfacet", "endfacet\n0 0 1", 9 } })
     expect_failure("line " + std::to_string(line), "m.stl", replaced_first(text, old, replacement));
 
   const std::string content = binary_stl(random_model(15, 3, 3), "solid");
@@ -863,6 +872,7 @@ TEST(Gocad, Faults_are_refused_with_their_line)
         { "GOCAD", "GOCA", 1 }, { "TSurf", "VSet", 1 }, { "TFACE\n", "", 5 }, { "VRTX 1", "VRTX one", 6 },
         { "VRTX 1 0 0 0", "VRTX 1 0 0", 6 }, { "VRTX 2", "VRTX 1", 11 }, { "TRGL 1 2 3", "TRGL 1 2", 9 },
         { "TRGL 1 2 3", "TRGL 1 2 4", 9 }, { "TRGL 1 2 3", "TRGL 1 2 3 3", 9 }, { "TRGL 1 2 3", "ATOM 4 5", 9 },
+        { "TRGL 1 2 3", "TRGL 1 2 3\n1 2 3", 10 },
         { "END\n", "", 11 }, { "END\n", "GOCAD TSurf 1\n", 11 }, { "END\n", "END\nEND\n", 12 } })
     expect_failure("line " + std::to_string(line), "m.ts", replaced_first(text, old, replacement));
 }

@@ -8,6 +8,13 @@
 #include <string_view>
 #include <vector>
 
+// Tells whether a line can be left out by its first word. One that starts with a number rather belongs to another.
+inline bool may_be_keyword(const std::string_view word)
+{
+  static constexpr std::string_view starts_of_numbers = "+-.0123456789";
+  return starts_of_numbers.find(word[0]) == std::string_view::npos && !in_quotes(word).empty();
+}
+
 // Counts what a reader leaves out, by kind, for one warning.
 class Left_out
 {
@@ -23,7 +30,7 @@ public:
         other.number += number;
         return;
       }
-    if(m_kinds.size() < maximum_number_of_kinds && !in_quotes(kind).empty())
+    if(m_kinds.size() < maximum_number_of_kinds)
       m_kinds.push_back({ std::string(kind), number });
   }
 

@@ -95,7 +95,11 @@ private:
       m_cursor.fail("a second object starts before the 'END' of the first one");
     const bool is_of_border = std::find(std::begin(of_borders), std::end(of_borders), keyword) != std::end(of_borders);
     if(m_state == IN_BODY && !is_of_border)
+    {
+      if(!may_be_keyword(word))
+        m_cursor.fail("the line does not start with a keyword");
       m_left_out.add(word);
+    }
     m_cursor.skip_line();
   }
 

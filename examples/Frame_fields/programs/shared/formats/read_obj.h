@@ -65,8 +65,7 @@ private:
 
   void leave_out(const std::string& keyword)
   {
-    static constexpr std::string_view starts_of_numbers = "+-.0123456789";
-    if(starts_of_numbers.find(keyword[0]) != std::string_view::npos || in_quotes(keyword).empty())
+    if(!may_be_keyword(keyword))
       m_cursor.fail("the line does not start with a keyword");
     m_left_out.add(keyword);
   }

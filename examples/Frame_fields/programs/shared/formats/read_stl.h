@@ -82,7 +82,7 @@ private:
   {
     static constexpr std::string_view parts[] = { "solid", "facet", "normal", "outer", "loop", "vertex", "endloop",
                                                   "endfacet", "endsolid" };
-    if(std::find(std::begin(parts), std::end(parts), keyword) != std::end(parts) || in_quotes(word).empty())
+    if(std::find(std::begin(parts), std::end(parts), keyword) != std::end(parts) || !may_be_keyword(word))
       m_cursor.fail(Text_cursor::name_of(word) + " does not belong here");
     m_left_out.add(word);
     m_cursor.skip_line();
