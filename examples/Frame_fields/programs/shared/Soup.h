@@ -7,10 +7,6 @@
 #include "formats/read_raw_soup.h"
 #include "read_content.h"
 
-#ifdef CGAL_USE_VTK
-#include "read_vtp.h"
-#endif
-
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -38,18 +34,9 @@ inline Soup soup_of(const Raw_soup& raw)
   return soup;
 }
 
-inline Raw_soup read_raw_soup_of_file(const std::string& path)
-{
-#ifdef CGAL_USE_VTK
-  if(lower_case_extension(path) == ".vtp")
-    return read_vtp(path);
-#endif
-  return read_raw_soup(path, read_content(path));
-}
-
 inline Soup read_soup(const std::string& path, Console& console)
 {
-  const Raw_soup raw = read_raw_soup_of_file(path);
+  const Raw_soup raw = read_raw_soup(path, read_content(path));
   for(const std::string& warning : raw.warnings)
     console.warn(path + ": " + warning);
   return soup_of(raw);

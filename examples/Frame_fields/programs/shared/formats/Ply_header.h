@@ -2,6 +2,7 @@
 #define FRAME_FIELDS_PROGRAMS_FORMATS_PLY_HEADER_H
 
 #include "File_content.h"
+#include "Number_type.h"
 #include "Text_cursor.h"
 #include "lower_case.h"
 
@@ -14,27 +15,13 @@
 #include <vector>
 
 enum class Ply_format { TEXT, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
-enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT32, FLOAT64 };
-
-inline std::size_t size_of(const Ply_type type)
-{
-  switch(type)
-  {
-    case Ply_type::INT8: case Ply_type::UINT8: return 1;
-    case Ply_type::INT16: case Ply_type::UINT16: return 2;
-    case Ply_type::INT32: case Ply_type::UINT32: case Ply_type::FLOAT32: return 4;
-    default: return 8;
-  }
-}
-
-inline bool is_integer_type(const Ply_type type) { return type != Ply_type::FLOAT32 && type != Ply_type::FLOAT64; }
 
 struct Ply_property
 {
   std::string name;
-  Ply_type type;
+  Number_type type;
   bool is_list;
-  Ply_type count_type; // of a list
+  Number_type count_type; // of a list
 };
 
 struct Ply_element
@@ -129,7 +116,7 @@ private:
     if(m_header.elements.empty())
       m_cursor.fail("a property stands before the first element");
     std::string type = lower_case(m_cursor.next_word_in_line("a type"));
-    Ply_property property{ "", Ply_type::INT32, type == "list", Ply_type::UINT8 };
+    Ply_property property{ "", Number_type::INT32, type == "list", Number_type::UINT8 };
     if(property.is_list)
     {
       property.count_type = type_of_name(lower_case(m_cursor.next_word_in_line("a type")));
@@ -143,14 +130,14 @@ private:
     m_header.elements.back().properties.push_back(std::move(property));
   }
 
-  Ply_type type_of_name(const std::string& name) const
+  Number_type type_of_name(const std::string& name) const
   {
     static constexpr std::string_view
       names[] = { "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64" },
       old_names[] = { "char", "uchar", "short", "ushort", "int", "uint", "", "", "float", "double" };
     for(std::size_t k = 0; k < std::size(names); ++k)
       if(name == names[k] || name == old_names[k])
-        return static_cast<Ply_type>(k);
+        return static_cast<Number_type>(k);
     m_cursor.fail(Text_cursor::name_of(name) + " is no type of PLY files");
   }
 

@@ -3,13 +3,12 @@
 
 #include "Byte_cursor.h"
 #include "File_content.h"
+#include "Number_type.h"
 #include "Ply_header.h"
 #include "Raw_soup.h"
 #include "Text_cursor.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
 
 // The values of the body of a PLY file, one after the other. Two classes with the same members, one for each form.
@@ -54,13 +53,13 @@ public:
       m_cursor.fail_here("the file goes on after the last element that its header announces");
   }
 
-  double real(const Ply_type) { return m_cursor.real(m_cursor.next_word("a number")); }
-  long long integer(const Ply_type) { return m_cursor.integer(m_cursor.next_word("an integer"), "an integer"); }
-  void skip(const Ply_type) { m_cursor.next_word("a number"); }
-  std::size_t index(const Ply_type, const std::size_t number) { return m_cursor.next_index(number); }
+  double real(const Number_type) { return m_cursor.real(m_cursor.next_word("a number")); }
+  long long integer(const Number_type) { return m_cursor.integer(m_cursor.next_word("an integer"), "an integer"); }
+  void skip(const Number_type) { m_cursor.next_word("a number"); }
+  std::size_t index(const Number_type, const std::size_t number) { return m_cursor.next_index(number); }
   void check_point(const Coordinates&, std::size_t) const {} // real() does
 
-  std::size_t list_size(const Ply_type type, const Ply_type)
+  std::size_t list_size(const Number_type type, const Number_type)
   {
     return m_cursor.checked_count(integer(type), 1, "numbers of a list");
   }
@@ -99,34 +98,11 @@ public:
       m_cursor.fail("the file goes on after the last element that its header announces");
   }
 
-  double real(const Ply_type type)
-  {
-    switch(type)
-    {
-      case Ply_type::FLOAT32: return m_cursor.read<float>();
-      case Ply_type::FLOAT64: return m_cursor.read<double>();
-      default: return static_cast<double>(integer(type));
-    }
-  }
+  double real(const Number_type type) { return read_real(m_cursor, type); }
+  long long integer(const Number_type type) { return read_integer(m_cursor, type); }
+  void skip(const Number_type type) { m_cursor.skip(size_of(type)); }
 
-  long long integer(const Ply_type type)
-  {
-    switch(type)
-    {
-      case Ply_type::INT8: return m_cursor.read<std::int8_t>();
-      case Ply_type::UINT8: return m_cursor.read<std::uint8_t>();
-      case Ply_type::INT16: return m_cursor.read<std::int16_t>();
-      case Ply_type::UINT16: return m_cursor.read<std::uint16_t>();
-      case Ply_type::INT32: return m_cursor.read<std::int32_t>();
-      case Ply_type::UINT32: return m_cursor.read<std::uint32_t>();
-      case Ply_type::INT64: return m_cursor.read<std::int64_t>();
-      default: return integer_of_unsigned(m_cursor.read<std::uint64_t>());
-    }
-  }
-
-  void skip(const Ply_type type) { m_cursor.skip(size_of(type)); }
-
-  std::size_t index(const Ply_type type, const std::size_t number)
+  std::size_t index(const Number_type type, const std::size_t number)
   {
     return m_cursor.checked_index(integer(type), number);
   }
@@ -136,7 +112,7 @@ public:
     m_cursor.check_point(point, m_start_of_element, "vertex", vertex);
   }
 
-  std::size_t list_size(const Ply_type type, const Ply_type type_of_numbers)
+  std::size_t list_size(const Number_type type, const Number_type type_of_numbers)
   {
     return m_cursor.checked_count(integer(type), size_of(type_of_numbers), "numbers of a list");
   }
@@ -144,13 +120,6 @@ public:
   [[noreturn]] void fail(const std::string& reason) const { m_cursor.fail(reason); }
 
 private:
-  long long integer_of_unsigned(const std::uint64_t value) const
-  {
-    if(value > static_cast<std::uint64_t>((std::numeric_limits<long long>::max)()))
-      m_cursor.fail("the number before this byte is out of all proportion");
-    return static_cast<long long>(value);
-  }
-
   const File_content* m_file;
   Byte_cursor m_cursor;
   const char* m_start_of_element = nullptr;

@@ -16,8 +16,12 @@ class Text_cursor
 public:
   enum Rules { PLAIN = 0, COMMENTS = 1, CONTINUED_LINES = 2 }; // `#` starts a comment, a backslash joins two lines
 
+  Text_cursor(const File_content& file, const char* const begin, const char* const end, const int rules)
+    : m_file(&file), m_at(begin), m_end(end), m_word(begin), m_rules(rules)
+  {}
+
   Text_cursor(const File_content& file, const char* const begin, const int rules)
-    : m_file(&file), m_at(begin), m_end(file.end()), m_word(begin), m_rules(rules)
+    : Text_cursor(file, begin, file.end(), rules)
   {}
 
   const char* position() const { return m_at; }

@@ -11,6 +11,7 @@
 #include "read_off.h"
 #include "read_ply.h"
 #include "read_stl.h"
+#include "read_vtp.h"
 
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ inline Raw_soup read_by_extension(const File_content& file)
     return read_stl(file);
   if(extension == ".ts")
     return read_gocad(file);
+  if(extension == ".vtp")
+    return read_vtp(file);
   file.fail(std::string("the kind of file is unknown; its name must end with one of ") + known_extensions);
 }
 
