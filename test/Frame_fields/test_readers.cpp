@@ -373,12 +373,13 @@ std::string binary_vtp(const Model& model, const bool is_big_endian, const bool 
   std::string result = std::string("<VTKFile type='PolyData' byte_order='") + (is_big_endian ? "Big" : "Little")
                        + "Endian'>\n<!-- <Piece> --><PolyData><Piece NumberOfPoints='"
                        + std::to_string(model.points.size()) + "' NumberOfLines='1' NumberOfPolys='"
-                       + std::to_string(model.polygons.size()) + "'>\n<PointData>"
-                       + array("type='UInt8' Name='connectivity'", "123") + "</PointData><Points>"
-                       + array("type='Float64' NumberOfComponents='3'", points) + "</Points>\n<Lines>"
-                       + array("type='UInt8' Name='connectivity'", "12") + array("type='UInt8' Name='offsets'", "1")
-                       + "</Lines>\n<Polys>" + array("type='Int32' Name='offsets'", ends)
-                       + array("type='UInt8' Name='connectivity'", vertices) + "</Polys>\n</Piece></PolyData>\n";
+                       + std::to_string(model.polygons.size()) + "'>\n<PointData>";
+  result += array("type='UInt8' Name='connectivity'", "123") + "</PointData><Points>";
+  result += array("type='Float64' NumberOfComponents='3'", points) + "</Points>\n<Lines>";
+  result += array("type='UInt8' Name='connectivity'", "12");
+  result += array("type='UInt8' Name='offsets'", "1") + "</Lines>\n<Polys>";
+  result += array("type='Int32' Name='offsets'", ends);
+  result += array("type='UInt8' Name='connectivity'", vertices) + "</Polys>\n</Piece></PolyData>\n";
   if(is_appended)
     result += std::string("<AppendedData encoding='") + (is_base64 ? "base64" : "raw") + "'>\n _" + appended
               + "\n</AppendedData>\n";
