@@ -1007,7 +1007,8 @@ TEST(Vtp, Faults_are_refused_with_their_place)
         { "=\"3\"", "=\"2\"", 6 }, { "0 9 9", "0 9", 6 }, { "Float64", "Float80", 6 }, { "ascii", "unknown", 6 },
         { " 3 2 1", " 4 2 1", 14 }, { " 3 2 1", " -1 2 1", 14 }, { " 3 2 1", " 3 2 1 1", 14 }, { "\n6\n", "\n7\n", 18 },
         { "\n6\n", "\n3\n", 18 }, { "\n6\n", "\n2\n", 18 }, { "Int64", "Float32", 14 }, { "offsets", "ends", 4 },
-        { "</VTKFile>", "", 26 }, { "</Polys>", "</Polys", 22 }, { "\"ascii\"", "\"ascii", 6 },
+        { "</VTKFile>", "", 26 }, { "</VTKFile>", "</VTKFile>\n0", 25 },
+        { "</Piece>", "", 24 }, { "</Polys>", "</Polys", 22 }, { "\"ascii\"", "\"ascii", 6 },
         { "\"ascii\"", "\"appended\" offset=\"0\"", 6 } })
     expect_failure("line " + std::to_string(line), "m.vtp", replaced_first(text, old, replacement));
   expect_failure("line 6: arrays are compressed by", "m.vtp",

@@ -48,34 +48,46 @@ private:
   void read_tags()
   {
     Xml_tags tags(*m_file);
-    std::string_view parent; // of arrays
-    bool has_root = false, has_end = false;
-    for(Xml_tag tag; tags.next(tag);)
+    std::vector<std::string_view> open; // the elements around the place
+    Xml_tag tag;
+    const bool has_tag = tags.next(tag);
+    if(!has_tag || tag.name != "VTKFile" || tag["type"] != "PolyData")
+      m_file->fail_at_line(has_tag ? tag.begin : m_file->begin(),
+                           "this is no VTP file, which starts with <VTKFile type=\"PolyData\" ...>");
+    read_root(tag);
+    do
     {
-      if(!has_root && (tag.name != "VTKFile" || tag["type"] != "PolyData"))
-        m_file->fail_at_line(tag.begin, "this is no VTP file, which starts with <VTKFile type=\"PolyData\" ...>");
-      if(!has_root)
-        read_root(tag);
-      has_root = true;
       if(m_end_of_array != nullptr)
         *std::exchange(m_end_of_array, nullptr) = tag.begin;
-      if(tag.name == "Piece" && !tag.is_end)
-        m_pieces.push_back({ tag.begin, integer(tag, "NumberOfPoints"), integer(tag, "NumberOfPolys"),
-                             integer(tag, "NumberOfStrips"), {}, {}, {} });
-      else if(tag.name == "DataArray" && !tag.is_end && !m_pieces.empty())
-        read_array(tag, parent);
-      else if(tag.name == "AppendedData" && !tag.is_end)
+      if(tag.is_end)
       {
-        read_appended_data(tag);
-        has_end = true;
-        break; // bytes as such are no tags
+        if(open.empty() || open.back() != tag.name)
+          m_file->fail_at_line(tag.begin, "this tag ends nothing");
+        open.pop_back();
+        continue;
       }
-      else if(tag.name == "Points" || tag.name == "Polys" || tag.name == "Strips")
-        parent = tag.is_end || tag.is_empty ? std::string_view() : tag.name;
-      has_end = has_end || (tag.name == "VTKFile" && tag.is_end);
+      read_start(tag, open.empty() ? "" : open.back());
+      if(m_encoding.begin_of_appended != nullptr) // bytes as such are no tags
+        return;
+      if(!tag.is_empty)
+        open.push_back(tag.name);
     }
-    if(!has_end)
-      m_file->fail_at_line(m_file->end(), has_root ? "the file ends without </VTKFile>" : "this is no VTP file");
+    while(!open.empty() && tags.next(tag));
+    if(!open.empty())
+      m_file->fail_at_line(m_file->end(), "the file ends without </" + std::string(open.back()) + ">");
+    if(!is_padding(tag.end, m_file->end()))
+      m_file->fail_at_line(tag.end, "the file goes on after its end");
+  }
+
+  void read_start(const Xml_tag& tag, const std::string_view parent)
+  {
+    if(tag.name == "Piece")
+      m_pieces.push_back({ tag.begin, integer(tag, "NumberOfPoints"), integer(tag, "NumberOfPolys"),
+                           integer(tag, "NumberOfStrips"), {}, {}, {} });
+    else if(tag.name == "DataArray" && !m_pieces.empty())
+      read_array(tag, parent);
+    else if(tag.name == "AppendedData")
+      read_appended_data(tag);
   }
 
   void read_root(const Xml_tag& tag)
