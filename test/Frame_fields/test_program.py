@@ -1276,6 +1276,29 @@ class Formats(ProgramTest):
                 self.assertEqual(counts(self.report(name, "--features", flange_features())),
                                  counts(flange_field().report))
 
+    def test_what_is_left_out_is_told_once(self):
+        text = "\ufeff" + obj_text(CUBE_POINTS, CUBE_FACES).replace(" ", "\t") + "l 1 2\nsm 1 2\nl 3 \\\n4\n"
+        report = self.report(self.write("cube.obj", text))
+        self.assertEqual(counts(report), CUBE_COUNTS)
+        self.assertEqual(report["warnings"], ["cube.obj: lines left out: 2 of kind 'l', 1 of kind 'sm'"])
+
+    def test_coordinates_and_indices_of_ply_have_any_type(self):
+        text = ply_text(CUBE_POINTS, CUBE_FACES).replace("double", "uchar").replace("uchar int", "ushort char")
+        self.assertEqual(counts(self.report(self.write("cube.ply", text))), CUBE_COUNTS)
+
+    def test_faults_are_told_with_their_line_or_byte(self):
+        self.assert_fails(BAD_FILE, "model.obj: line 3, 'v 1.01.0 0': '1.01.0' is no number", self.write(
+            "model.obj", "v 0 0 0\nv 1 0 0\nv 1.01.0 0\nf 1 2 3\n"))
+        content = bytes(80) + struct.pack("<I", 2) + bytes(50)
+        (self.folder / "model.stl").write_bytes(content)
+        self.assert_fails(BAD_FILE, "model.stl: byte 80: 2 facets", "model.stl")
+
+    def test_own_vtp_can_be_read_again(self):
+        self.succeed(flange(), "--features", flange_features(), "--vtp", "again.vtp", "--streamlines")
+        first, report = flange_field().report, self.report("again.vtp", "--features", flange_features())
+        self.assertEqual((report["faces"], report["feature_edges"], report["patches"]),
+                         (first["faces_after_split"], first["feature_edges"], first["patches"]))
+
     def test_own_output_can_be_read_again(self):
         for options in ((), ("--ascii",)):
             (self.folder / "again.ply").write_bytes(self.output(flange(), "--features", flange_features(), *options))
