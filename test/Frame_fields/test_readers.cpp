@@ -346,8 +346,10 @@ std::string binary_vtp(const Model& model, const bool is_big_endian, const bool 
 {
   const auto encoded = [&](const std::string& data)
   {
-    const std::string bytes = bytes_of(static_cast<std::uint32_t>(data.size()), is_big_endian) + data;
-    return is_base64 ? base64_of(bytes) : bytes;
+    const std::string size = bytes_of(static_cast<std::uint32_t>(data.size()), is_big_endian);
+    if(is_base64 && is_big_endian) // some writers encode them apart
+      return base64_of(size) + base64_of(data);
+    return is_base64 ? base64_of(size + data) : size + data;
   };
   std::string points, vertices, ends;
   std::size_t end = 0;
@@ -638,6 +640,8 @@ TEST(Obj, Faults_are_refused_with_their_line)
   }
   expect_failure("line 5", "m.obj", text + "# a comment \\\nf 1 2 5\nv 0 0 0\n");
   expect_failure("line 6", "m.obj", text + "f 1 \\\n2 3\nf 9 2 1");
+  expect_failure("line 1", "m.obj", "f 1 1 1\n");
+  expect_failure("line 1", "m.obj", "f 1 2 1\nv 0 0 0\n");
 }
 
 // ---------------------------------------------------------------- OFF
@@ -733,6 +737,10 @@ TEST(Off, Binary_files_of_several_writers)
     expect_it_or_doubt(binary_off(model, "COFF", 3, { 0 }));
   }
   EXPECT_LE(number_of_unclear_files, 3);
+  // Six numbers more of vertices and no colours of faces fit, too: "3 0 1 2 1 0" is either one face or two.
+  const Model doubtful{ std::vector<Coordinates>(6, Coordinates{ 1, 2, 3 }), { { 0, 1, 2 }, { 3, 2, 1 } } };
+  expect_failure("byte 12: it does not become clear", "m.off",
+                 replaced(binary_off(doubtful, "COFF", 3, { 1 }), bytes_of(0.5f, true), std::string(4, '\0')));
   std::string content = binary_off(triangle_model(), "OFF", 0, { 0 });
   expect_model(triangle_model(), "m.off", replaced_first(content, "BINARY\n", "binary \r\n"));
   expect_failure("byte " + std::to_string(content.size() - 4), "m.off",
