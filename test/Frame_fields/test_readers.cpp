@@ -791,6 +791,7 @@ TEST(Ply, Elements_and_properties_have_any_order)
   const std::string text = "2 1 2 9 3 2 0 1 0.5\n1 7 8\n0 8\n-3 255 1 4 2.25 1.5\n6 255 1 4 5 4.5\n"
                            "9 255 0 8 -7.5\n0 1\n";
   expect_model(model, "m.ply", "ply\nformat ascii 1.0\n" + header + text);
+  expect_failure("line 24, '0 8x'", "m.ply", "ply\nformat ascii 1.0\n" + header + replaced_first(text, "0 8", "0 8x"));
   expect_warnings({ "elements left out: 2 of kind 'material'" }, "m.ply", "ply\nformat ascii 1.0\n" + header + text);
 }
 

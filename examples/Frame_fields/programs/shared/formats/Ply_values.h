@@ -55,7 +55,7 @@ public:
 
   double real(const Number_type) { return m_cursor.real(m_cursor.next_word("a number")); }
   long long integer(const Number_type) { return m_cursor.integer(m_cursor.next_word("an integer"), "an integer"); }
-  void skip(const Number_type) { m_cursor.next_word("a number"); }
+  void skip(const Number_type) { m_cursor.skip_number(); }
   std::size_t index(const Number_type, const std::size_t number) { return m_cursor.next_index(number); }
   void check_point(const Coordinates&, std::size_t) const {} // real() does
 

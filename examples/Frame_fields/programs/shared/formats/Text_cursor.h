@@ -116,6 +116,15 @@ public:
     return point;
   }
 
+  // Of a number that is not used only the form matters; it need not be finite.
+  void skip_number()
+  {
+    double value;
+    const std::string_view word = next_word("a number");
+    if(parse_real(word, value) == Number_fault::NO_NUMBER)
+      fail(name_of(word) + " is no number");
+  }
+
   // An index that is less than a number of vertices.
   std::size_t next_index(const std::size_t number_of_vertices)
   {

@@ -87,7 +87,7 @@ private:
         read_point();
         std::size_t number = 0;
         for(; m_cursor.has_word_in_line(); ++number)
-          check_number();
+          m_cursor.skip_number();
         if(number != common_number.value_or(number) || !m_header.can_follow_point(number))
           m_cursor.fail("this vertex has " + std::to_string(number) + " numbers after its coordinates; "
                         + (common_number ? "those before have " + std::to_string(*common_number)
@@ -106,10 +106,7 @@ private:
       {
         read_point();
         for(std::size_t k = 0; k < m_header.number_of_attributes(); ++k)
-        {
-          m_cursor.has_word();
-          check_number();
-        }
+          m_cursor.skip_number();
       }
       if(m_cursor.has_word_in_line())
         m_cursor.fail_here("the last vertex does not end its line");
@@ -128,15 +125,6 @@ private:
       m_soup.points.push_back(point);
     }
 
-    // Of a colour, a normal or texture coordinates; it need not be finite.
-    void check_number()
-    {
-      double value;
-      const auto word = m_cursor.next_word("a number");
-      if(parse_real(word, value) == Number_fault::NO_NUMBER)
-        m_cursor.fail(Text_cursor::name_of(word) + " is no number");
-    }
-
     void read_face()
     {
       const long long announced = m_cursor.integer(m_cursor.next_word("a face"), "the number of vertices of a face");
@@ -148,7 +136,7 @@ private:
       m_soup.end_polygon();
       for(int k = 0; m_cursor.has_word_in_line(); ++k)
       {
-        check_number();
+        m_cursor.skip_number();
         if(k == 4)
           m_cursor.fail("the line of a face goes on after its vertices and the four numbers of a colour");
       }
