@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 
 sh package_info/Frame_fields/install_debian_packages.sh g++ make cmake libcgal-dev libcgal-demo libeigen3-dev \
-  libtbb-dev libboost-program-options-dev nlohmann-json3-dev python3 python3-numpy python3-vtk9 xvfb xauth
+  libtbb-dev libboost-program-options-dev nlohmann-json3-dev zlib1g-dev python3 python3-numpy python3-vtk9 xvfb xauth
 
 cmake --preset release
 cmake --build --preset release --target cad_frame_field cad_quad_mesh --parallel "$(nproc)"

@@ -538,7 +538,6 @@ class InvalidInput(ProgramTest):
                 ("NaN in PLY", "model.ply", ply.replace("1 0 0\n", "nan 0 0\n", 1)),
                 ("PLY ends in the faces", "model.ply", ply[:-20]),
                 ("PLY ends in the header", "model.ply", ply[:100]),
-                ("integer coordinates in PLY", "model.ply", ply.replace("double", "int")),
                 ("NaN in STL", "model.stl", stl.replace("vertex 1", "vertex nan", 1)),
                 ("STL ends in a facet", "model.stl", stl[:200])):
             with self.subTest(reason):
@@ -555,7 +554,7 @@ class InvalidInput(ProgramTest):
         for value in (math.nan, math.inf):
             content = header.encode() + struct.pack("<9dB3i", 0, 0, 0, 1, 0, 0, 0, value, 0, 3, 0, 1, 2)
             (self.folder / "model.ply").write_bytes(content)
-            self.assert_fails(BAD_FILE, "model.ply: vertex 2 ", "model.ply")
+            self.assert_fails(BAD_FILE, f"model.ply: byte {len(header) + 48}: vertex 2 ", "model.ply")
 
     def test_feature_files(self):
         self.write_cube()
@@ -1307,6 +1306,29 @@ class Formats(ProgramTest):
                 self.write(name, make_text(points, faces))
                 self.assertEqual(counts(self.report(name, "--features", flange_features())),
                                  counts(flange_field().report))
+
+    def test_what_is_left_out_is_told_once(self):
+        text = "\ufeff" + obj_text(CUBE_POINTS, CUBE_FACES).replace(" ", "\t") + "l 1 2\nsm 1 2\nl 3 \\\n4\n"
+        report = self.report(self.write("cube.obj", text))
+        self.assertEqual(counts(report), CUBE_COUNTS)
+        self.assertEqual(report["warnings"], ["cube.obj: lines left out: 2 of kind 'l', 1 of kind 'sm'"])
+
+    def test_coordinates_and_indices_of_ply_have_any_type(self):
+        text = ply_text(CUBE_POINTS, CUBE_FACES).replace("double", "uchar").replace("uchar int", "ushort char")
+        self.assertEqual(counts(self.report(self.write("cube.ply", text))), CUBE_COUNTS)
+
+    def test_faults_are_told_with_their_line_or_byte(self):
+        self.assert_fails(BAD_FILE, "model.obj: line 3, 'v 1.01.0 0': '1.01.0' is no number", self.write(
+            "model.obj", "v 0 0 0\nv 1 0 0\nv 1.01.0 0\nf 1 2 3\n"))
+        content = bytes(80) + struct.pack("<I", 2) + bytes(50)
+        (self.folder / "model.stl").write_bytes(content)
+        self.assert_fails(BAD_FILE, "model.stl: byte 80: 2 facets", "model.stl")
+
+    def test_own_vtp_can_be_read_again(self):
+        self.succeed(flange(), "--features", flange_features(), "--vtp", "again.vtp", "--streamlines")
+        first, report = flange_field().report, self.report("again.vtp", "--features", flange_features())
+        self.assertEqual((report["faces"], report["feature_edges"], report["patches"]),
+                         (first["faces_after_split"], first["feature_edges"], first["patches"]))
 
     def test_own_output_can_be_read_again(self):
         for options in ((), ("--ascii",)):

@@ -28,7 +28,7 @@ Input read_input(const Shared_options& options, Console& console, const ReadMore
   console.show_progress("reading " + options.model);
   try
   {
-    const Soup soup = read_soup(options.model);
+    const Soup soup = read_soup(options.model, console);
     Input input;
     if(options.features)
       input.features = read_features(*options.features, soup);

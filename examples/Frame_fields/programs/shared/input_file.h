@@ -105,14 +105,4 @@ private:
   std::istringstream m_words;
 };
 
-// The line that a reader was in, or had just finished, at a position.
-inline Line line_before(const std::string& path, const std::streamoff position)
-{
-  std::ifstream in(path, std::ios::binary);
-  Line line;
-  while(in.tellg() < position && std::getline(in, line.text))
-    ++line.number;
-  return line;
-}
-
 #endif // FRAME_FIELDS_PROGRAMS_INPUT_FILE_H
