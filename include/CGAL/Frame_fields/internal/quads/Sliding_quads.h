@@ -89,6 +89,7 @@ public:
 
   const Quad_vertex& vertex(const int vertex) const { return m_complex.vertices[vertex]; }
   const std::array<int, 4>& quad(const int quad) const { return m_complex.quads[quad]; }
+  int patch(const int quad) const { return m_complex.patch[quad]; }
   const Coordinates& point(const int vertex) const { return m_point[vertex]; }
   const Quad_shape& shape(const int quad) const { return m_shape[quad]; }
   const Surface_walker& walker() const { return m_walker; }

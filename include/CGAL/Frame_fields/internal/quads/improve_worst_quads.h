@@ -108,15 +108,15 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
   return number_of_slides > 0;
 }
 
-// Raises what is below `bound` where single vertices can. Returns whether any could.
-inline bool improve_worst_quads(Sliding_quads& quads, const double bound)
+// Raises what is below `bound` where single vertices of the list can. Returns whether any could.
+inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& vertices, const double bound)
 {
   const int number_of_sweeps = 5;
   bool has_any_improved = false;
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
   {
     bool has_improved = false;
-    for(int v = 0; v < quads.number_of_vertices(); ++v)
+    for(const int v : vertices)
       if(quads.freedom(v) != Sliding_quads::FIXED && quads.shape_around(v).scaled_jacobian < bound
          && raise_worst_quad_of_vertex(quads, v))
         has_improved = true;

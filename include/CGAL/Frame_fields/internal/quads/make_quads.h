@@ -75,8 +75,51 @@ inline double surface_area(const Cut_surface& surface)
   return sum;
 }
 
-// How often quads are made anew with more room where some are inverted.
-const int maximum_number_of_refinements = 6;
+// Quantizes, assembles and smooths. Where quads of a T-mesh stay inverted, they are made anew with more room; the
+// result with the fewest of them is smoothed as a whole.
+template <typename StageClock>
+Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
+                               const std::vector<int>& index, const Feature_network& features,
+                               const Seamless_map& map, std::vector<T_mesh>& t_meshes,
+                               const double target_edge_length, StageClock& clock, std::vector<char>& is_filled)
+{
+  const int maximum_number_of_refinements = 6;
+  Smoothing_options options;
+  options.arc_tolerance = arc_tolerance * target_edge_length;
+  options.may_release_bends = false;
+  Quad_maker maker(surface, embedding, index, features, map, t_meshes, target_edge_length);
+  Quad_complex complex;
+  std::size_t least_number_of_inverted = 0;
+  for(int refinement = 0; ; ++refinement)
+  {
+    clock.start(Quad_stage::QUANTIZATION);
+    Quad_complex next = maker.make();
+    std::vector<char> is_next_filled;
+    for(const T_mesh& t_mesh : t_meshes)
+      is_next_filled.push_back(t_mesh.cells.empty());
+    clock.start(Quad_stage::SMOOTHING);
+    const std::vector<int> inverted =
+      smooth_inverted_quads(next, surface, embedding, features, is_next_filled, options);
+    const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
+    const bool has_more_room = is_better && !inverted.empty() && refinement < maximum_number_of_refinements
+                               && maker.refine(next, inverted);
+    if(is_better)
+    {
+      complex = std::move(next);
+      is_filled = std::move(is_next_filled);
+      least_number_of_inverted = inverted.size();
+    }
+    if(!has_more_room)
+      break;
+  }
+
+  // Valid quads matter more than that vertices stay at the bends of arcs.
+  options.may_release_bends = true;
+  smooth_inverted_quads(complex, surface, embedding, features, std::vector<char>(surface.patches.size(), 0), options);
+  options.may_release_bends = false;
+  smooth(complex, surface, embedding, features, options);
+  return complex;
+}
 
 // All stages behind the field, with lengths in the unit of `Cut_surface::length`.
 template <typename ConcurrencyTag, typename StageClock>
@@ -100,36 +143,9 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
     return Patch_result();
   });
 
-  Smoothing_options smoothing_options;
-  smoothing_options.arc_tolerance = arc_tolerance * target_edge_length;
-  smoothing_options.may_release_bends = false;
-  Quad_maker maker(surface, embedding, index, features, map, t_meshes, target_edge_length);
-  Quad_complex complex;
-  std::vector<char> is_filled(surface.patches.size());
-  std::size_t least_number_of_inverted = 0;
-  for(int refinement = 0; ; ++refinement)
-  {
-    clock.start(Quad_stage::QUANTIZATION);
-    Quad_complex next = maker.make();
-    clock.start(Quad_stage::SMOOTHING);
-    const std::vector<int> inverted = smooth(next, surface, embedding, features, smoothing_options).inverted_quads;
-    const bool is_refined = !inverted.empty() && refinement < maximum_number_of_refinements
-                            && maker.refine(next, inverted);
-    if(refinement == 0 || inverted.size() < least_number_of_inverted)
-    {
-      complex = std::move(next);
-      for(std::size_t p = 0; p < is_filled.size(); ++p)
-        is_filled[p] = t_meshes[p].cells.empty();
-      least_number_of_inverted = inverted.size();
-    }
-    if(!is_refined)
-      break;
-  }
-  if(least_number_of_inverted > 0)
-  {
-    smoothing_options.may_release_bends = true;
-    smooth(complex, surface, embedding, features, smoothing_options);
-  }
+  std::vector<char> is_filled;
+  const Quad_complex complex = make_smooth_quads(surface, embedding, index, features, map, t_meshes,
+                                                 target_edge_length, clock, is_filled);
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();

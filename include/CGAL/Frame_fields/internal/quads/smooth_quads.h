@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -66,9 +67,13 @@ inline std::vector<int> inverted_quads(const Sliding_quads& quads)
 class Distortion_sweeps
 {
 public:
-  Distortion_sweeps(Sliding_quads& quads, const double good_enough)
-    : m_quads(quads), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), 0)
-  {}
+  // Only the given vertices move first, and then those that the move of a neighbor concerns.
+  Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices, const double good_enough)
+    : m_quads(quads), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), never)
+  {
+    for(const int v : vertices)
+      m_last_move[v] = 0;
+  }
 
   void run(const int number_of_sweeps)
   {
@@ -90,6 +95,8 @@ public:
   }
 
 private:
+  static constexpr int never = -2;
+
   // Whether a vertex of its quads moved in this sweep or the one before.
   bool may_move(const int vertex) const
   {
@@ -154,6 +161,43 @@ private:
   std::vector<int> m_last_move; // per vertex: the sweep
 };
 
+// Untangles and improves in rounds, with sweeps from the given vertices on.
+inline void smooth_from(Sliding_quads& quads, const std::vector<int>& vertices,
+                        const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+{
+  Distortion_sweeps sweeps(quads, vertices, options.good_enough);
+  bool may_untangle = untangle_quads(quads, is_patch_left_out);
+  sweeps.run(options.number_of_sweeps);
+  for(int round = 0; round < options.number_of_rounds; ++round)
+  {
+    if(options.may_release_bends)
+      for(const int v : tangled_vertices(quads, is_patch_left_out))
+        may_untangle |= quads.release(v);
+    may_untangle = may_untangle && untangle_quads(quads, is_patch_left_out);
+    const bool has_improved = improve_worst_quads(quads, vertices, options.bad);
+    sweeps.run(options.number_of_sweeps / 2);
+    if(!may_untangle && !has_improved)
+      break;
+  }
+}
+
+// Smooths only where quads of patches that are not left out are inverted. Returns those that still are.
+inline std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
+                                              const Surface_embedding& embedding, const Feature_network& network,
+                                              const std::vector<char>& is_patch_left_out,
+                                              const Smoothing_options& options)
+{
+  Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
+  const std::vector<int> vertices = tangled_vertices(quads, is_patch_left_out);
+  if(!vertices.empty())
+    smooth_from(quads, vertices, is_patch_left_out, options);
+  std::vector<int> result;
+  for(const int q : inverted_quads(quads))
+    if(!is_patch_left_out[complex.patch[q]])
+      result.push_back(q);
+  return result;
+}
+
 // Smooths a quad mesh on its surface: vertices in a patch stay in it, vertices on an arc stay on it and in their order,
 // and vertices at vertices of the surface stay where they are.
 inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
@@ -165,18 +209,9 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   report.worst_before = quads.worst();
   report.inverted_before = static_cast<int>(inverted_quads(quads).size());
-  Distortion_sweeps sweeps(quads, options.good_enough);
-  bool may_untangle = untangle_quads(quads);
-  sweeps.run(options.number_of_sweeps);
-  for(int round = 0; round < options.number_of_rounds; ++round)
-  {
-    may_untangle |= options.may_release_bends && release_tangled_parts(quads);
-    may_untangle = may_untangle && untangle_quads(quads);
-    const bool has_improved = improve_worst_quads(quads, options.bad);
-    sweeps.run(options.number_of_sweeps / 2);
-    if(!may_untangle && !has_improved && inverted_quads(quads).empty())
-      break;
-  }
+  std::vector<int> vertices(quads.number_of_vertices());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  smooth_from(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
   report.worst_after = quads.worst();
   report.inverted_quads = inverted_quads(quads);
   return report;

@@ -238,10 +238,12 @@ private:
   std::vector<Slide> m_old_slide;     // per entry of m_vertices
 };
 
-// Calls `visit(part, vertices)` for the connected parts that inverted quads form with the given number of rings of
-// quads around them; the vertices are those that may slide and have all their quads in the part.
+// Calls `visit(part, vertices)` for the connected parts that inverted quads, of patches that are not left out, form
+// with the given number of rings of quads around them; the vertices are those that may slide and have all their quads
+// in the part.
 template <typename Visit>
-void for_each_tangled_part(const Sliding_quads& quads, const int number_of_rings, const Visit& visit)
+void for_each_tangled_part(const Sliding_quads& quads, const std::vector<char>& is_patch_left_out,
+                           const int number_of_rings, const Visit& visit)
 {
   std::vector<char> is_in_part(quads.number_of_quads(), false);
   std::vector<int> ring, found;
@@ -252,7 +254,7 @@ void for_each_tangled_part(const Sliding_quads& quads, const int number_of_rings
         visit_neighbor(*c / 4);
   };
   for(int q = 0; q < quads.number_of_quads(); ++q)
-    if(quads.shape(q).scaled_jacobian <= 0)
+    if(quads.shape(q).scaled_jacobian <= 0 && !is_patch_left_out[quads.patch(q)])
     {
       is_in_part[q] = true;
       ring.push_back(q);
@@ -299,29 +301,30 @@ void for_each_tangled_part(const Sliding_quads& quads, const int number_of_rings
   }
 }
 
-// Lets the vertices at bends of arcs slide where quads are inverted. Returns whether there are any.
-inline bool release_tangled_parts(Sliding_quads& quads)
+// The vertices of the tangled parts with five rings around them.
+inline std::vector<int> tangled_vertices(const Sliding_quads& quads, const std::vector<char>& is_patch_left_out)
 {
   const int number_of_rings = 5;
-  std::vector<int> at_fault;
-  for_each_tangled_part(quads, number_of_rings, [&](const std::vector<int>& part, const std::vector<int>&)
+  std::vector<int> result;
+  for_each_tangled_part(quads, is_patch_left_out, number_of_rings,
+                        [&](const std::vector<int>& part, const std::vector<int>&)
   {
-    at_fault.insert(at_fault.end(), part.begin(), part.end());
+    for(const int q : part)
+      result.insert(result.end(), quads.quad(q).begin(), quads.quad(q).end());
   });
-  bool is_any_released = false;
-  for(const int q : at_fault)
-    for(const int v : quads.quad(q))
-      is_any_released |= quads.release(v);
-  return is_any_released;
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 // Returns whether a part has improved.
-inline bool untangle_quads(Sliding_quads& quads)
+inline bool untangle_quads(Sliding_quads& quads, const std::vector<char>& is_patch_left_out)
 {
   bool has_improved = false;
   std::vector<double> epsilon(4 * static_cast<std::size_t>(quads.number_of_quads()));
   for(const int number_of_rings : { 2, 5 })
-    for_each_tangled_part(quads, number_of_rings, [&](const std::vector<int>& part, const std::vector<int>& vertices)
+    for_each_tangled_part(quads, is_patch_left_out, number_of_rings,
+                          [&](const std::vector<int>& part, const std::vector<int>& vertices)
     {
       has_improved |= Untangled_part(quads, part, vertices, epsilon).run();
     });
