@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Runs quad meshers on all models of a folder, measures what they make, and writes a table and a plot.
 
-    compare_quad_meshers.py MESHERS.json MODELS OUT [--size FACTOR] [--timeout S]
+    /usr/bin/python3 compare_quad_meshers.py MESHERS.json MODELS OUT [--size FACTOR] [--timeout S]
 
 MESHERS.json is a list of objects. The first one of this list is this package, run from the root of its sources:
 

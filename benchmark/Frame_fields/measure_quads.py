@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Measures a quad mesh made from a triangle mesh with feature edges, whatever program made it; prints JSON.
 
-    measure_quads.py MODEL.off [FEATURES] QUADS.obj
+    /usr/bin/python3 measure_quads.py MODEL.off [FEATURES] QUADS.obj
 
 MODEL and QUADS are OFF or OBJ files. FEATURES has two vertex numbers of MODEL a line; borders are features as well.
 Lengths are fractions of the diagonal of MODEL's bounding box, except the tolerance of features: 5 % of the mean edge of

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Plots the results of compare_quad_meshers.py: irregular vertices, scaled Jacobians, features, seconds and failures.
 
-    plot_quad_comparison.py comparison.json comparison.svg
+    /usr/bin/python3 plot_quad_comparison.py comparison.json comparison.svg
 
 Needs Debian's python3-matplotlib.
 """

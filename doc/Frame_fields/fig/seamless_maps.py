@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 AXES = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)], dtype=float)
-MOST_STEPS = 20000
+MOST_STEPS = 3000
 Port = collections.namedtuple("Port", "face corner axis")
 Step = collections.namedtuple("Step", "trace face start end axis time")  # on a face, in its chart
 
