@@ -64,7 +64,8 @@ void for_each_way(const Check& check)
     for(const Support_strategy& strategy : { Support_strategy::rings(4), Support_strategy::component(),
                                              Support_strategy::radius() })
     {
-      SCOPED_TRACE(testing::Message() << "weighting " << weighting << ", strategy " << strategy.kind());
+      SCOPED_TRACE(testing::Message() << "weighting " << static_cast<int>(weighting)
+                                      << ", strategy " << strategy.kind());
       check(parameters::edge_weighting(weighting).support_strategy(strategy));
     }
 }

@@ -13,72 +13,26 @@
 #define CGAL_FRAME_FIELDS_FRAME_FIELD_FROM_VECTORS_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/field/Frame.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
 #include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 /// \file frame_field_from_vectors.h
 
 namespace CGAL {
 namespace Frame_fields {
-namespace internal {
-
-// The frame with branches at two angles, the second one taken from 0 to pi further.
-struct Frame
-{
-  double alpha, rho;
-
-  static Frame from_angles(const double first, const double second)
-  {
-    const double between = std::remainder(second - first, 2 * CGAL_PI);
-    return { first, (between < 0 ? between + CGAL_PI : between) - CGAL_PI / 2 };
-  }
-};
-
-// Turns the branch nearest to a line onto it and keeps the other one. Returns by how much.
-inline double align(Frame& frame, const double line)
-{
-  const double turn_of_first = std::remainder(line - frame.alpha, CGAL_PI);
-  const double turn_of_second = std::remainder(line - frame.alpha - CGAL_PI / 2 - frame.rho, CGAL_PI);
-  if(std::abs(turn_of_first) <= std::abs(turn_of_second))
-  {
-    frame.alpha += turn_of_first;
-    frame.rho -= turn_of_first;
-    return std::abs(turn_of_first);
-  }
-  frame.rho += turn_of_second;
-  return std::abs(turn_of_second);
-}
-
-// The integer p_ij with which the two branches turn the least, in the sense of squares.
-inline int nearest_matching(const double unmatched_rotation, const double rho_i, const double rho_j)
-{
-  const auto cost = [&](const int p)
-  {
-    const double mean = unmatched_rotation + p * CGAL_PI / 2 + (rho_j - rho_i) / 2;
-    const double half_difference = (p % 2 == 0 ? rho_j - rho_i : rho_j + rho_i) / 2;
-    return mean * mean + half_difference * half_difference;
-  };
-  const int nearest_mean =
-    static_cast<int>(std::lround(-(unmatched_rotation + (rho_j - rho_i) / 2) / (CGAL_PI / 2)));
-  const int candidates[] = { nearest_mean, nearest_mean - 1, nearest_mean + 1 };
-  return *std::min_element(std::begin(candidates), std::end(candidates),
-                           [&](const int p, const int q) { return cost(p) < cost(q); });
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef

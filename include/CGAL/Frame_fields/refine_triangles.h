@@ -20,15 +20,12 @@
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Longest_edge_splits.h>
 #include <CGAL/Frame_fields/internal/surface/coordinate_rounding.h>
+#include <CGAL/Frame_fields/internal/surface/flip_and_split.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <deque>
 #include <limits>
 #include <string>
 #include <vector>
@@ -37,65 +34,6 @@
 
 namespace CGAL {
 namespace Frame_fields {
-
-namespace internal {
-
-// Reads the points in the order of vertices(tm), and checks what the refinement takes for granted.
-template <typename TriangleMesh, typename Mesh>
-Result read_for_refinement(const TriangleMesh& tm, const Mesh& mesh, std::vector<Coordinates>& points)
-{
-  for(const auto v : vertices(tm))
-  {
-    points.push_back(mesh.coordinates(v));
-    if(!is_finite(points.back()))
-      return failure(ERROR_NON_FINITE_COORDINATE,
-                     "vertex " + std::to_string(points.size() - 1) + " of vertices(tm)");
-  }
-  return mesh.check_triangles();
-}
-
-// A number of faces that the refined mesh has at least: a triangle with edges up to `length` has at most the area of
-// the equilateral one, and an edge is divided into pieces up to `length`.
-template <typename TriangleMesh, typename Mesh>
-double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const double length)
-{
-  double number_by_area = 0, number_of_edges = 0;
-  for(const auto f : faces(tm))
-  {
-    const auto h = halfedge(f, tm);
-    const Coordinates p = mesh.coordinates(source(h, tm)), q = mesh.coordinates(target(h, tm));
-    const Coordinates r = mesh.coordinates(target(next(h, tm), tm));
-    const Coordinates pq = (q - p) / length, pr = (r - p) / length;
-    number_by_area += internal::length(cross(pq, pr)) * 2 / std::sqrt(3.);
-    number_of_edges += internal::length(pq) + internal::length(pr) + distance(pq, pr);
-  }
-  return (std::max)(number_by_area, number_of_edges / 3);
-}
-
-// Flips, then splits down to lengths that get shorter by and by, with flips after each.
-template <typename TriangleMesh, typename Flips, typename Splits>
-void flip_and_split(TriangleMesh& tm, const Flips& flips, Splits& splits, const double maximum_edge_length,
-                    Refinement_statistics& statistics)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-  const double ratio = 1.2; // of the lengths
-  const auto add = [&](const halfedge_descriptor h) { splits.add(h); };
-  std::deque<halfedge_descriptor> changed;
-  for(const auto e : edges(tm))
-    changed.push_back(halfedge(e, tm));
-  statistics.number_of_flips += flips(changed, (std::numeric_limits<double>::infinity)(), [](halfedge_descriptor) {});
-  for(const halfedge_descriptor h : changed)
-    splits.add(h);
-  while(splits.longest() > 0)
-  {
-    changed.clear();
-    const double length = (std::max)(splits.longest() / ratio, maximum_edge_length);
-    statistics.number_of_splits += splits.split_down_to(length, changed);
-    statistics.number_of_flips += flips(changed, length, add);
-  }
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef

@@ -16,52 +16,15 @@
 #include <CGAL/Frame_fields/Refinement_statistics.h>
 #include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/split_chords.h>
 #include <CGAL/Frame_fields/parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/Named_function_parameters.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
-#include <vector>
 
 /// \file split_chords.h
 
 namespace CGAL {
 namespace Frame_fields {
-
-namespace internal {
-
-// Returns the number of edges that were split. All faces must be triangles.
-template <typename TriangleMesh, typename NamedParameters>
-std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
-  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
-  {
-    for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
-      if(mesh.is_constrained(around))
-        return true;
-    return false;
-  };
-  std::vector<halfedge_descriptor> chords;
-  for(const auto e : edges(tm))
-  {
-    const halfedge_descriptor h = halfedge(e, tm);
-    if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
-      chords.push_back(h);
-  }
-
-  mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
-
-  for(const halfedge_descriptor h : chords)
-    mesh.split_edge_with_faces(h);
-  return chords.size();
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef

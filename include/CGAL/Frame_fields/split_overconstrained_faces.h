@@ -16,66 +16,15 @@
 #include <CGAL/Frame_fields/Refinement_statistics.h>
 #include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
+#include <CGAL/Frame_fields/internal/surface/split_faces.h>
 #include <CGAL/Frame_fields/parameters.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/Named_function_parameters.h>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
-#include <vector>
 
 /// \file split_overconstrained_faces.h
 
 namespace CGAL {
 namespace Frame_fields {
-namespace internal {
-
-// A point inside the triangle: its centroid, or on a degenerate triangle whose centroid is a vertex some other point.
-template <typename Point, typename GeomTraits>
-Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTraits traits)
-{
-  const Point centroid = traits.construct_centroid_3_object()(p, q, r);
-  if(centroid != p && centroid != q && centroid != r)
-    return centroid;
-  // That vertex is the midpoint of the two others, which no combination with three different weights gives.
-  return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
-}
-
-// Returns the number of faces that were split. All must be triangles.
-template <typename TriangleMesh, typename NamedParameters>
-std::size_t split_faces_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
-{
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
-  // One halfedge of each face, kept apart from the changing face range.
-  std::vector<halfedge_descriptor> overconstrained;
-  for(const auto f : faces(tm))
-  {
-    const halfedge_descriptor h = halfedge(f, tm);
-    if(mesh.is_constrained(h) + mesh.is_constrained(next(h, tm)) + mesh.is_constrained(prev(h, tm)) > 1)
-      overconstrained.push_back(h);
-  }
-
-  mesh.reserve_for(overconstrained.size(), 3 * overconstrained.size(), 2 * overconstrained.size());
-  for(const halfedge_descriptor h : overconstrained)
-  {
-    const auto center = point_inside(mesh.point(source(h, tm)), mesh.point(target(h, tm)),
-                                               mesh.point(target(next(h, tm), tm)), mesh.traits());
-    const halfedge_descriptor to_center = CGAL::Euler::add_center_vertex(h, tm);
-    mesh.set_point(target(to_center, tm), center);
-    halfedge_descriptor spoke = to_center;
-    do
-    {
-      mesh.mark_unconstrained(spoke);
-      spoke = opposite(next(spoke, tm), tm);
-    } while(spoke != to_center);
-  }
-  return overconstrained.size();
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgFrame_fieldsRef

@@ -93,7 +93,6 @@ public:
     return result;
   }
 
-  const std::vector<vertex_descriptor>& vertex_descriptors() const { return m_vertices; }
   const std::vector<edge_descriptor>& edge_descriptors() const { return m_edges; }
 
 private:
@@ -112,7 +111,6 @@ private:
     for(const vertex_descriptor v : vertices(m_mesh))
     {
       put(m_vertex_number, v, graph.number_of_vertices());
-      m_vertices.push_back(v);
       graph.points.push_back(this->coordinates(v));
     }
   }
@@ -146,7 +144,6 @@ private:
   Vertex_number_map m_vertex_number;
   Edge_number_map m_edge_number;
   Face_number_map m_face_number;
-  std::vector<vertex_descriptor> m_vertices;
   std::vector<edge_descriptor> m_edges;
 };
 

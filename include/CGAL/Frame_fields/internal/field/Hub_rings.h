@@ -94,7 +94,7 @@ private:
   static constexpr int smallest_hub = 64;
   static constexpr std::size_t largest_number_of_hubs = 8;
 
-  // What all corners take from that reach the same rings around hubs, and how much each of the sectors gives.
+  // The receivers that all corners share which reach the same rings around hubs, and how much each of them gives.
   struct Shared_receivers
   {
     std::vector<int> sectors;

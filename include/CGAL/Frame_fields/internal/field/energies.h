@@ -22,12 +22,13 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// sum w (r - omega)^2 over the dual edges of an orthogonal field.
-inline double orthogonal_energy(const Cut_surface& surface, const std::vector<double>& omega,
-                                const std::vector<double>& alpha, const std::vector<int>& matching)
+// sum w (r - omega)^2 over some dual edges of an orthogonal field.
+inline double orthogonal_energy(const Cut_surface& surface, const Index_range& dual_edges,
+                                const std::vector<double>& omega, const std::vector<double>& alpha,
+                                const std::vector<int>& matching)
 {
   double energy = 0;
-  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+  for(int e = dual_edges.begin_index; e < dual_edges.end_index; ++e)
   {
     const double difference = rotation(surface, alpha, matching, e) - omega[e];
     energy += surface.weight[e] * difference * difference;

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_FIELD_OF_MATCHING_H
 
 #include <CGAL/Frame_fields/Hermitian_matrix.h>
+#include <CGAL/Frame_fields/internal/field/energies.h>
 #include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
 #include <CGAL/Frame_fields/internal/matching/matching_and_indices.h>
@@ -120,7 +121,7 @@ public:
     for(int f = m_patch.faces.begin_index; f < m_patch.faces.end_index; ++f)
       if(const int unknown = m_unknown[f - m_patch.faces.begin_index]; unknown >= 0)
         alpha[f] += turn[unknown];
-    smoothed_energy = energy(matching, alpha);
+    smoothed_energy = orthogonal_energy(m_surface, m_patch.dual_edges, m_omega, alpha, matching);
     for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
       if(!(std::abs(rotation(m_surface, alpha, matching, e) - m_omega[e]) < CGAL_PI / 4))
         return false;
@@ -128,17 +129,6 @@ public:
   }
 
 private:
-  double energy(const std::vector<int>& matching, const std::vector<double>& alpha) const
-  {
-    double sum = 0;
-    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
-    {
-      const double difference = rotation(m_surface, alpha, matching, e) - m_omega[e];
-      sum += m_surface.weight[e] * difference * difference;
-    }
-    return sum;
-  }
-
   int unknown_of(const int halfedge) const { return m_unknown[face_of(halfedge) - m_patch.faces.begin_index]; }
   int first_unknown(const int e) const { return unknown_of(m_surface.dual_edges[e].halfedge); }
   int second_unknown(const int e) const { return unknown_of(m_surface.dual_edges[e].opposite); }

@@ -140,7 +140,8 @@ void write_statistics(const Cut_surface& surface, const Options& options, const 
     field.repaired_sectors.begin(), field.repaired_sectors.end(),
     [&](const Repaired_sector& repaired) { return surface.is_constrained_sector(repaired.sector); });
   statistics.number_of_clamped_faces = field.number_of_clamped_faces;
-  statistics.energy_orthogonal = orthogonal_energy(surface, field.omega, field.alpha, field.matching);
+  statistics.energy_orthogonal = orthogonal_energy(surface, { 0, surface.number_of_dual_edges() }, field.omega,
+                                                   field.alpha, field.matching);
   statistics.energy_relaxed = relaxed_energy(surface, field.alpha, field.matching, field.gamma);
   statistics.seconds = clock.seconds();
 }

@@ -32,11 +32,11 @@ inline void bring_to_unit_length(std::vector<std::complex<double> >& z)
       z_i /= length;
 }
 
-// Makes the field of an eigenvector one of unit length with little sum |z_i - z_j ...|^2. Where the |z| of an
-// eigenvector is small, the field costs next to nothing and has singularities that no unit vectors would have.
-// Steps of the flow (matrix + shift) z' = z alternate with bringing z to unit length, as Merriman, Bence and Osher do
-// for the motion by curvature. The first shift is the eigenvalue, so that a step reaches through the whole patch, and
-// the next ones settle details. A field without any difference, whose eigenvalue vanishes, is left as it is.
+// Turns an eigenvector into a field of unit length whose sum w |z_i - z_j exp(...)|^2 is small. Where the |z| of an
+// eigenvector is small, its differences cost next to nothing, and there are singularities that no field of unit length
+// would have. Steps of the flow (matrix + shift) z' = z alternate with bringing z to unit length, as Merriman, Bence
+// and Osher do for the motion by curvature. The first shift is the eigenvalue, so that a step reaches through the whole
+// patch; the next ones settle details. A field without any difference, whose eigenvalue vanishes, is left as it is.
 template <typename Solver>
 bool flow_to_unit_length(Solver& solver, Hermitian_matrix<std::complex<double> > matrix,
                          std::vector<std::complex<double> >& z)

@@ -79,11 +79,11 @@ struct Row_errors
   double largest = 0;
 };
 
-// Solves a system whose matrix is factored such that every row holds in terms of what stands in it: the solution of a
-// connected system may fall by many powers of ten from one place to the next, and its small values are as good as the
-// large ones. A direct solver does that in one go. What an iterative one leaves is small against the largest
-// values only; it is asked again for the residuals of the rows that do not hold. Rows that do are not touched, or
-// their rounding errors would drown the others. Returns `false` if that takes too many steps.
+// Solves a system whose matrix is factored such that the error of every row is small against the terms of the row. The
+// solution of a connected system may fall by many powers of ten from one place to the next; its small values are then
+// as accurate as the large ones. A direct solver does that in one go. The errors of an iterative one are small against
+// the largest values only; it is asked again for the residuals of the rows that do not hold. Rows that hold are left
+// out, or their rounding errors would drown the others. Returns `false` if that takes too many steps.
 template <typename Solver, typename Scalar>
 bool accurate_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix, const std::vector<Scalar>& right_hand_side,
                     std::vector<Scalar>& solution)

@@ -68,8 +68,8 @@ public:
   int reverse(const int halfedge) const { return m_surface.opposite[halfedge]; }
   int source(const int halfedge) const { return node_of(halfedge); }
 
-  // A multiple of a small number, far above the rounding errors of alpha and far below what costs differ by: symmetric
-  // models have paths of equal cost, and one and the same of them is then the first whatever solver found alpha. Sums
+  // Costs are rounded to multiples of a small number, far above the rounding errors of alpha and far below what costs
+  // differ by. Symmetric models have paths of equal cost: so the same one comes first whatever solver found alpha. Sums
   // of such numbers have no rounding errors, either.
   double cost(const int halfedge) const
   {

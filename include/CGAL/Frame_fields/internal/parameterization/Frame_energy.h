@@ -86,12 +86,6 @@ public:
   // Makes what happens in a face count more.
   void stiffen(const int face_of_patch, const double factor) { m_faces[face_of_patch].stiffness *= factor; }
 
-  void forget_stiffness()
-  {
-    for(Face& face : m_faces)
-      face.stiffness = 1;
-  }
-
 private:
   // A triangle whose height is less than this part of its longest edge counts as one with this height.
   static constexpr double least_height = 1e-4;

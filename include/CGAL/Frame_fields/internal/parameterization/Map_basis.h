@@ -70,7 +70,6 @@ public:
       visit(m_unknown[k], m_coefficient[k]);
   }
 
-  int number_of_terms() const { return static_cast<int>(m_unknown.size()); }
 
   // x = B z
   template <typename Number>

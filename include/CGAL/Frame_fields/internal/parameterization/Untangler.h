@@ -40,7 +40,6 @@ public:
 
   bool is_untangled() const { return m_least > 0; }
   int number_of_steps() const { return m_number_of_steps; }
-  int number_of_evaluations() const { return m_number_of_evaluations; }
 
   // Takes at most `maximum_number_of_steps` steps; returns whether the map is untangled.
   bool untangle(const int maximum_number_of_steps)
@@ -112,7 +111,6 @@ private:
       add_multiple(z, length, direction);
       double value;
       evaluate(z, value, gradient);
-      ++m_number_of_evaluations;
       if(!(value < m_value + 1e-4 * length * slope))
       {
         length *= shortening(length * slope, value - m_value);
@@ -143,7 +141,7 @@ private:
   std::vector<double> m_x, m_gradient_of_x;
   std::vector<double> m_gradient;
   double m_value = 0, m_least = 0;
-  int m_number_of_steps = 0, m_number_of_evaluations = 0;
+  int m_number_of_steps = 0;
   double m_length = 1; // of the last step
   bool m_is_stuck = false;
 };

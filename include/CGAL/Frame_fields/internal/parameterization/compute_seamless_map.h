@@ -13,7 +13,6 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_COMPUTE_SEAMLESS_MAP_H
 
 #include <CGAL/Frame_fields/internal/linear/accurate_solve.h>
-#include <CGAL/Frame_fields/internal/linear/solve.h>
 #include <CGAL/Frame_fields/internal/parameterization/Combed_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Combing.h>
 #include <CGAL/Frame_fields/internal/parameterization/Cut_graph.h>

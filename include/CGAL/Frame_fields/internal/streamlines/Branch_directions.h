@@ -13,7 +13,6 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_STREAMLINES_BRANCH_DIRECTIONS_H
 
 #include <CGAL/Frame_fields/internal/field/branch_pairs.h>
-#include <CGAL/Frame_fields/internal/field/quality.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/surface/Plane_vector.h>

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A point in the chart of a face, which it need not be in, and a branch of this face.
+// A point in the chart of a face, in the face or beyond it, and a branch of this face.
 struct Chart_point
 {
   int face, branch;

@@ -90,7 +90,7 @@ public:
   }
 
   // Whether a line of the branch pair at a point is nearer to it than `distance`. Of the line of `place` itself, only
-  // what the point is beside counts, and not what was traced just before.
+  // those parts count that the point lies beside and that were not traced just before.
   bool is_line_near(const Chart_point& point, const double distance, const Streamline_place& place)
   {
     bool is_near = false;

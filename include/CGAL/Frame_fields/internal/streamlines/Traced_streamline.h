@@ -67,7 +67,7 @@ struct Growing_streamline
 {
   std::vector<Streamline_piece> pieces;
   double length = 0;
-  std::size_t number_of_settled_pieces = 0; // those that are not cut off any more
+  std::size_t number_of_settled_pieces = 0; // will not be cut off any more
   double settled_length = 0;
 
   void append(const Streamline_piece& piece)

@@ -132,7 +132,7 @@ inline bool has_constrained_sector(const Cut_surface& surface, const Patch& patc
   return false;
 }
 
-// The search runs over all that is nearer, so it should be known that there is one.
+// Searches all sectors that are nearer, so the patch should have a constrained one.
 inline double distance_to_constrained_sector(const Cut_surface& surface, const int sector,
                                              Geodesic_distances& distances)
 {
