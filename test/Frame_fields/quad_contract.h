@@ -404,8 +404,11 @@ private:
 
   void check_features()
   {
-    const std::vector<Marked_chain> chains = marked_chains(m_quads);
+    std::vector<Marked_chain> chains = marked_chains(m_quads);
     std::vector<Marked_chain> expected = marked_chains(m_triangles);
+    // A chain of one edge covers any feature between its ends, so it must not choose first.
+    std::stable_sort(chains.begin(), chains.end(), [](const Marked_chain& a, const Marked_chain& b)
+                     { return a.points.size() > b.points.size(); });
     for(const Marked_chain& chain : chains)
     {
       const auto covered = std::find_if(expected.begin(), expected.end(),

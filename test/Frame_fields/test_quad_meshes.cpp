@@ -557,9 +557,10 @@ TEST(Quad_meshes_of_split_triangles, fulfil_the_contract)
       const Marked_surface quads = prepared.quads_of_triangles(is_split);
       EXPECT_EQ("", Quad_contract(prepared.triangles(), quads).broken_facts());
       EXPECT_EQ(0u, number_of_inverted_quads(quads));
-      const Marked_surface triangles = prepared.triangles();
       if(is_split == std::vector<char>(is_split.size(), true))
-        EXPECT_EQ(3 * triangles.faces.size(), quads.faces.size());
+      {
+        EXPECT_EQ(3 * prepared.triangles().faces.size(), quads.faces.size());
+      }
     }
   }
 }

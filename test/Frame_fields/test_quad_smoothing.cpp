@@ -294,6 +294,100 @@ TEST(Quad_smoothing, no_step_alone_makes_the_worst_quad_worse)
     }
 }
 
+std::vector<char> valid_quads(const Sliding_quads& quads, const std::size_t number_of_quads)
+{
+  std::vector<char> result;
+  for(std::size_t q = 0; q < number_of_quads; ++q)
+    result.push_back(quads.shape(static_cast<int>(q)).scaled_jacobian > 0);
+  return result;
+}
+
+// Also where many quads are inverted. To untangle a part may invert quads, but not more than it turns back.
+TEST(Quad_smoothing, no_step_inverts_quads)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+    for(unsigned seed = 0; seed < 8; ++seed)
+    {
+      SCOPED_TRACE(c.name + " " + std::to_string(seed));
+      Quad_complex complex = scattered(c.surface, c.quads, 0.6 + 0.3 * seed, seed);
+      for(int step = 0; step < 6; ++step)
+      {
+        Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+        const std::vector<char> before = valid_quads(quads, complex.quads.size());
+        const double old_worst = quads.worst();
+        if(step % 3 == 0)
+          Distortion_sweeps(quads, 0.6).run(1);
+        else if(step % 3 == 1)
+          improve_worst_quads(quads, 0.5);
+        else
+          untangle_quads(quads);
+        const std::vector<char> after = valid_quads(quads, complex.quads.size());
+        if(step % 3 != 2)
+          for(std::size_t q = 0; q < before.size(); ++q)
+            EXPECT_GE(after[q], before[q]) << step;
+        EXPECT_GE(std::count(after.begin(), after.end(), 1), std::count(before.begin(), before.end(), 1)) << step;
+        EXPECT_GE(quads.worst(), old_worst - 1e-14) << step;
+      }
+    }
+}
+
+TEST(Quad_smoothing, sides_do_not_vanish_where_the_worst_quad_gets_better)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+    for(unsigned seed = 0; seed < 8; ++seed)
+    {
+      Quad_complex complex = scattered(c.surface, c.quads, 0.1 + 0.3 * seed, seed);
+      Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+      for(int v = 0; v < quads.number_of_vertices(); ++v)
+      {
+        if(quads.freedom(v) == Sliding_quads::FIXED)
+          continue;
+        const double least = (std::min)(0.2 * mean_length_of_sides(quads, v), shortest_side(quads, v, quads.point(v)));
+        raise_worst_quad_of_vertex(quads, v);
+        EXPECT_GE(shortest_side(quads, v, quads.point(v)), least * (1 - 1e-9));
+      }
+    }
+}
+
+// A part that stays tangled is as it was, or better.
+TEST(Quad_smoothing, untangling_in_vain_makes_nothing_worse)
+{
+  const Smoothing_case square = smoothing_cases().front();
+  for(unsigned seed = 0; seed < 24; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Quad_complex complex = scattered(square.surface, square.quads, 0.1 + 0.03 * seed, seed);
+    std::array<int, 4>& quad = complex.quads[6 * seed];
+    std::swap(quad[1], quad[3]); // clockwise
+    Sliding_quads quads(complex, square.surface.surface, square.surface.embedding, square.surface.network);
+    const int number = number_of_inverted_quads(quads);
+    const double old_worst = quads.worst();
+    untangle_quads(quads);
+    EXPECT_LE(number_of_inverted_quads(quads), number);
+    EXPECT_GE(quads.worst(), old_worst);
+  }
+}
+
+// Also the first one and the last one of a closed arc.
+TEST(Quad_smoothing, vertices_of_arcs_have_room_on_both_sides)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+  {
+    Quad_complex complex = scattered(c.surface, c.quads, 0.3, 3);
+    const Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+    int number_on_arcs = 0;
+    for(int v = 0; v < quads.number_of_vertices(); ++v)
+      if(quads.freedom(v) == Sliding_quads::ON_ARC)
+      {
+        const std::pair<double, double> range = quads.arc_order().range(v, quads.vertex(v).arc);
+        EXPECT_LT(range.first, quads.arc_order().length(v));
+        EXPECT_GT(range.second, quads.arc_order().length(v));
+        ++number_on_arcs;
+      }
+    EXPECT_GT(number_on_arcs, 40);
+  }
+}
+
 // Squares are the least distorted quads, and here they fit.
 TEST(Quad_smoothing, squares_come_back)
 {
@@ -515,6 +609,26 @@ TEST(Quad_measures, figures_of_a_grid_with_a_hole)
   std::vector<char> is_on_arc(4 * complex.quads.size(), false);
   is_on_arc[0] = true; // at the border: no change
   EXPECT_EQ(measure_quads(polygon_mesh(complex, soup.points, is_on_arc)).number_of_irregular_sectors, 0u);
+}
+
+TEST(Quad_measures, flat_corners_count_as_inverted_and_small_sines_as_bad)
+{
+  const auto quality_of_one = [](const std::vector<Coordinates>& points)
+  {
+    Quad_complex complex;
+    complex.quads = { { 0, 1, 2, 3 } };
+    complex.patch = { 0 };
+    return measure_quads(polygon_mesh(complex, points));
+  };
+  EXPECT_EQ(quality_of_one({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 2, 0 } }).number_of_inverted_quads, 1u);
+  for(const double sine : { 0.19, 0.21, 0.39 })
+  {
+    const double cosine = std::sqrt(1 - sine * sine);
+    const CGAL::Frame_fields::Quad_quality quality =
+      quality_of_one({ { 0, 0, 0 }, { 1, 0, 0 }, { 1 + cosine, sine, 0 }, { cosine, sine, 0 } });
+    EXPECT_EQ(quality.number_of_inverted_quads, 0u);
+    EXPECT_EQ(quality.number_of_bad_quads, sine < 0.2 ? 1u : 0u);
+  }
 }
 
 TEST(Quad_measures, corner_of_a_cube_and_cut_sectors)

@@ -1,5 +1,6 @@
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/parameterization/Barrier_energy.h>
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
@@ -711,11 +712,55 @@ protected:
     return Map_certificate(c.surface, patch, c.index, [&](const int h) { return field.branch_along(h); }, map).status();
   }
 
+  // The corners of a regular sector, for all of which one chart is valid, with a given number of faces (0: any).
+  std::vector<int> corners_in_one_chart(const bool is_constrained, const std::size_t number_of_faces) const
+  {
+    for(int s = 0; s < c.surface.number_of_sectors(); ++s)
+    {
+      std::vector<int> corners;
+      bool is_one_chart = true;
+      for_each_corner(c.surface.opposite, c.surface.first_corner[s], [&](const int h)
+      {
+        corners.push_back(h);
+        is_one_chart = is_one_chart && map.quarter_turns[h] == 0 && map.u[h] == map.u[corners[0]]
+                    && map.v[h] == map.v[corners[0]];
+      });
+      if(is_one_chart && c.index[s] == 0 && c.surface.is_constrained_sector(s) == is_constrained
+         && (number_of_faces == 0 || corners.size() == number_of_faces))
+        return corners;
+    }
+    ADD_FAILURE() << "no such sector";
+    return {};
+  }
+
   Case c;
   Seamless_map map;
 };
 
 TEST_F(Certificate, holds_for_the_map) { EXPECT_EQ(Map_status::CERTIFIED, status()); }
+
+// Two faces vanish, none is inverted.
+TEST_F(Certificate, refuses_faces_without_area)
+{
+  const std::vector<int> corners = corners_in_one_chart(false, 3);
+  const std::int64_t u = map.u[next_of(corners[0])], v = map.v[next_of(corners[0])];
+  for(const int h : corners)
+  {
+    map.u[h] = u;
+    map.v[h] = v;
+  }
+  EXPECT_EQ(Map_status::INVERTED_FACE, status());
+}
+
+TEST_F(Certificate, refuses_constrained_edges_off_the_axes)
+{
+  for(const int h : corners_in_one_chart(true, 0))
+  {
+    ++map.u[h];
+    ++map.v[h];
+  }
+  EXPECT_EQ(Map_status::REVERSED_EDGE, status());
+}
 
 TEST_F(Certificate, refuses_an_inverted_face)
 {
@@ -726,8 +771,13 @@ TEST_F(Certificate, refuses_an_inverted_face)
 
 TEST_F(Certificate, refuses_one_step_of_the_grid_across_an_edge)
 {
-  ++map.u[c.surface.dual_edges[5].halfedge];
-  EXPECT_EQ(Map_status::REVERSED_EDGE, status());
+  for(std::vector<std::int64_t>* const coordinate : { &map.u, &map.v })
+  {
+    std::int64_t& value = (*coordinate)[c.surface.dual_edges[5].halfedge];
+    ++value;
+    EXPECT_EQ(Map_status::REVERSED_EDGE, status());
+    --value;
+  }
 }
 
 // A half turn of all charts is a map as good, but of the field turned by a half turn.
@@ -744,6 +794,36 @@ TEST_F(Certificate, refuses_other_indices)
 {
   ++c.index[3];
   EXPECT_EQ(Map_status::WRONG_CONE, status());
+}
+
+// By central differences, also where faces are inverted.
+TEST(Barrier_energy, has_the_gradient_of_its_value)
+{
+  const Case c = make_case(square());
+  const Patch& patch = c.surface.patches[0];
+  const Combing combing = comb(c.surface, patch, c.matching, patch.faces.begin_index);
+  const Cut_graph graph = Patch_cutter(c.surface, patch, c.index, combing).cut();
+  const Combed_field field(c.surface, patch, c.alpha, c.rho, combing);
+  const Map_basis basis(c.surface, patch, c.index, graph, field);
+  const Map_elements elements(c.surface, patch, field, graph, c.target_length, basis.side_edges());
+  Barrier_energy energy(elements);
+  energy.set_epsilon(0.5);
+  std::mt19937 generator(5);
+  std::vector<double> x(2 * (1 + *std::max_element(graph.vertex.begin(), graph.vertex.end()))), gradient, other;
+  for(double& coordinate : x)
+    coordinate = 4 * (generator() / 4294967296.);
+  energy(x, gradient);
+  EXPECT_LT(energy.least(), 0);
+  for(std::size_t i = 0; i < x.size(); ++i)
+  {
+    const double here = x[i], step = 1e-5;
+    x[i] = here + step;
+    const double ahead = energy(x, other);
+    x[i] = here - step;
+    const double behind = energy(x, other);
+    x[i] = here;
+    EXPECT_NEAR((ahead - behind) / (2 * step), gradient[i], 1e-4 * (1 + std::abs(gradient[i]))) << i;
+  }
 }
 
 TEST(Sign_of_determinant, is_exact)
