@@ -290,8 +290,8 @@ private:
     return static_cast<int>(after - m_layout.first_piece.begin()) - 1;
   }
 
-  // Returns whether all is well; otherwise the bounds have changed. To fill patches takes long, and is of no use as long
-  // as vertices elsewhere coincide.
+  // Returns whether all is well; otherwise the bounds have changed. Patches take long to fill, which is of no use as
+  // long as vertices elsewhere coincide.
   bool make_valid(Quad_complex& complex)
   {
     const bool has_fillings = std::count(m_sources.begin(), m_sources.end(), Patch_source::FILLING) > 0;
