@@ -324,8 +324,8 @@ class QuadReport(QuadProgramTest):
     def test_keys_and_types(self):
         report = self.report(self.write_cube(), "--edge-length", str(LENGTH))
         for keys, kind in (
-                ("faces vertices feature_edges nodes arcs patches certified_patches filled_patches quads quad_vertices "
-                 "quad_feature_edges", int),
+                ("faces vertices feature_edges nodes arcs patches certified_patches filled_patches repaired_patches "
+                 "quads quad_vertices quad_feature_edges", int),
                 ("target_edge_length seconds_reading seconds_writing peak_memory_mib", float),
                 ("dangling_ends patch_list warnings", list), ("options quality field seconds", dict)):
             for key in keys.split():

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <map>
 #include <random>
 #include <set>
@@ -283,12 +284,14 @@ TEST(Quad_smoothing, no_step_alone_makes_the_worst_quad_worse)
       {
         const double old_worst = worst(c.surface, complex, c.normal);
         Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+        std::vector<int> vertices(quads.number_of_vertices());
+        std::iota(vertices.begin(), vertices.end(), 0);
         if(step % 3 == 0)
-          Distortion_sweeps(quads, 0.6).run(1);
+          Distortion_sweeps(quads, vertices, 0.6).run(1);
         else if(step % 3 == 1)
-          improve_worst_quads(quads, 0.5);
+          improve_worst_quads(quads, vertices, 0.5);
         else
-          untangle_quads(quads);
+          untangle_quads(quads, std::vector<char>(c.surface.surface.patches.size(), 0));
         EXPECT_GE(worst(c.surface, complex, c.normal), old_worst - 1e-14) << step;
       }
     }

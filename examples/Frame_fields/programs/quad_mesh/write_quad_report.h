@@ -88,6 +88,7 @@ inline void write_quad_report(std::ostream& out, const Quad_options& options, co
     { "patches", statistics.number_of_patches },
     { "certified_patches", statistics.number_of_certified_patches },
     { "filled_patches", statistics.number_of_filled_patches },
+    { "repaired_patches", statistics.number_of_repaired_patches },
     { "quads", statistics.number_of_quads },
     { "quad_vertices", summary.quad_vertices },
     { "quad_feature_edges", summary.quad_feature_edges },
