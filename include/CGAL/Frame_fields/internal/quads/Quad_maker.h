@@ -340,11 +340,7 @@ private:
     return static_cast<int>(after - m_layout.first_piece.begin()) - 1;
   }
 
-<<<<<<< HEAD
-  // Returns whether all is well; otherwise the bounds have changed. To fill patches takes long, and is of no use as
-=======
   // Returns whether all is well; otherwise the bounds have changed. Patches take long to fill, which is of no use as
->>>>>>> quantize
   // long as vertices elsewhere coincide.
   bool make_valid(Quad_complex& complex)
   {
