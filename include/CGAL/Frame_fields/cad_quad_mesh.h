@@ -213,8 +213,8 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   Quad_statistics statistics;
   internal::write_statistics(surface, options, field, internal::No_stage_clock(), statistics.field);
   const internal::Quad_complex complex =
-    internal::make_quads<Concurrency_tag>(surface, embedding, field.index, map, {}, target_edge_length, clock,
-                                          statistics);
+    internal::make_quads<Concurrency_tag>(surface, embedding, field.index, map, {}, target_edge_length,
+                                          size.number_of_quads, clock, statistics);
   internal::note_cancelled_pairs(cancelled_pairs, statistics);
   clock.start(Quad_stage::ASSEMBLY);
   internal::output_quads(surface, embedding, complex, given_unit, quad_mesh, np);

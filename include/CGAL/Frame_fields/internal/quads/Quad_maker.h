@@ -29,6 +29,7 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
+#include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -66,9 +67,6 @@ inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
   return old_number;
 }
 
-// By how much sides of quads may leave the arcs, over the wanted length of edges.
-const double arc_tolerance = 0.02;
-
 // From the T-meshes of the patches to quads.
 //
 // Pieces inside patches and on their sides may get no edges, so that tiny ones cost no quads. Then vertices coincide,
@@ -89,20 +87,50 @@ public:
     for(const T_mesh& t_mesh : t_meshes)
       m_sources.push_back(t_mesh.cells.empty() ? Patch_source::FILLING : Patch_source::T_MESH);
 
-    // Feature edges are kept if the quads do not leave them by more than a small part of their sides. These are no
-    // longer than the arc, however long they were asked to be.
-    for(const Feature_arc& arc : features.arcs)
+    follow_arcs_within(part_of_edge_length * target_edge_length);
+  }
+
+  // By how much sides of quads may leave the arcs.
+  double arc_tolerance() const { return m_arc_tolerance; }
+
+  // Sides are no longer than their arc, however long they were asked to be, and must not leave it by more than a small
+  // part of that either.
+  void follow_arcs_within(const double tolerance)
+  {
+    m_arc_tolerance = tolerance;
+    m_breakpoints.clear();
+    for(const Feature_arc& arc : m_features.arcs)
     {
       double arc_length = 0;
-      for(const int h : arc.halfedges)
-        arc_length += surface.length[h];
-      const double tolerance = arc_tolerance * (std::min)(target_edge_length, arc_length);
       std::vector<int> source_vertex;
       for(const int h : arc.halfedges)
-        source_vertex.push_back(embedding.vertex[previous_of(h)]);
-      m_breakpoints.push_back(arc_breakpoints(embedding, arc, source_vertex, tolerance));
+      {
+        arc_length += m_surface.length[h];
+        source_vertex.push_back(m_embedding.vertex[previous_of(h)]);
+      }
+      m_breakpoints.push_back(arc_breakpoints(m_embedding, arc, source_vertex,
+                                              (std::min)(tolerance, part_of_edge_length * arc_length)));
     }
     reset_bounds();
+  }
+
+  // Makes all wanted edge lengths `factor` times as long.
+  void scale_edge_lengths(const double factor)
+  {
+    m_target_edge_length *= factor;
+    follow_arcs_within(part_of_edge_length * m_target_edge_length);
+  }
+
+  double mean_length_of_sides(const Quad_complex& complex) const
+  {
+    std::vector<Coordinates> points;
+    for(const Quad_vertex& v : complex.vertices)
+      points.push_back(m_walker.point(v.location));
+    double sum = 0;
+    for(const std::array<int, 4>& quad : complex.quads)
+      for(int k = 0; k < 4; ++k)
+        sum += distance(points[quad[k]], points[quad[(k + 1) % 4]]);
+    return complex.quads.empty() ? 0 : sum / (4 * static_cast<double>(complex.quads.size()));
   }
 
   Quad_complex make()
@@ -149,6 +177,9 @@ public:
     }
     return is_any_raised;
   }
+
+  // A tolerance that is hardly seen, over the length of edges.
+  static constexpr double part_of_edge_length = 0.02;
 
 private:
   static constexpr int number_of_sparing_rounds = 4;
@@ -542,6 +573,7 @@ private:
   const Seamless_map& m_map;
   std::vector<T_mesh>& m_t_meshes;
   double m_target_edge_length;
+  double m_arc_tolerance = 0;
   Expected_valence m_valence;
   Surface_walker m_walker;
   std::vector<Patch_source> m_sources;          // per patch

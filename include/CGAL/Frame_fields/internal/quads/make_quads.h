@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
+#include <CGAL/Frame_fields/internal/quads/make_sized_quads.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Patch_result.h>
@@ -81,11 +82,11 @@ template <typename StageClock>
 Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                const std::vector<int>& index, const Feature_network& features,
                                const Seamless_map& map, std::vector<T_mesh>& t_meshes,
-                               const double target_edge_length, StageClock& clock, std::vector<char>& is_filled)
+                               const double target_edge_length, const double number_of_quads, StageClock& clock,
+                               std::vector<char>& is_filled)
 {
   const int maximum_number_of_refinements = 6;
   Smoothing_options options;
-  options.arc_tolerance = arc_tolerance * target_edge_length;
   options.may_release_bends = false;
   Quad_maker maker(surface, embedding, index, features, map, t_meshes, target_edge_length);
   Quad_complex complex;
@@ -93,7 +94,10 @@ Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embeddi
   for(int refinement = 0; ; ++refinement)
   {
     clock.start(Quad_stage::QUANTIZATION);
-    Quad_complex next = maker.make();
+    Quad_complex next = refinement > 0        ? maker.make()
+                        : number_of_quads > 0 ? make_quads_of_number(maker, number_of_quads)
+                                              : make_quads_along_arcs(maker);
+    options.arc_tolerance = maker.arc_tolerance();
     std::vector<char> is_next_filled;
     for(const T_mesh& t_mesh : t_meshes)
       is_next_filled.push_back(t_mesh.cells.empty());
@@ -121,11 +125,13 @@ Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embeddi
   return complex;
 }
 
-// All stages behind the field, with lengths in the unit of `Cut_surface::length`.
+// All stages behind the map, with lengths in the unit of `Cut_surface::length`. `number_of_quads` is 0 if none is
+// wanted.
 template <typename ConcurrencyTag, typename StageClock>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
                         const Seamless_map& map, const std::vector<char>& is_marked_vertex,
-                        const double target_edge_length, StageClock& clock, Quad_statistics& statistics)
+                        const double target_edge_length, const double number_of_quads, StageClock& clock,
+                        Quad_statistics& statistics)
 {
   clock.start(Quad_stage::T_MESH);
   const std::vector<char> is_node = feature_nodes(surface, embedding, index, is_marked_vertex);
@@ -145,7 +151,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
 
   std::vector<char> is_filled;
   const Quad_complex complex = make_smooth_quads(surface, embedding, index, features, map, t_meshes,
-                                                 target_edge_length, clock, is_filled);
+                                                 target_edge_length, number_of_quads, clock, is_filled);
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();
