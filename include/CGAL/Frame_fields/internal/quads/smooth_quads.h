@@ -67,13 +67,10 @@ inline std::vector<int> inverted_quads(const Sliding_quads& quads)
 class Distortion_sweeps
 {
 public:
-  // Only the given vertices move first, and then those that the move of a neighbor concerns.
+  // Only the given vertices move.
   Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices, const double good_enough)
-    : m_quads(quads), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), never)
-  {
-    for(const int v : vertices)
-      m_last_move[v] = 0;
-  }
+    : m_quads(quads), m_vertices(vertices), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), 0)
+  {}
 
   void run(const int number_of_sweeps)
   {
@@ -83,7 +80,7 @@ public:
       m_acceptable = (std::max)(m_good_enough, m_quads.worst());
       int number_of_moves = 0;
       for(const Sliding_quads::Freedom freedom : { Sliding_quads::ON_ARC, Sliding_quads::IN_PATCH })
-        for(int v = 0; v < m_quads.number_of_vertices(); ++v)
+        for(const int v : m_vertices)
           if(m_quads.freedom(v) == freedom && may_move(v) && improve(v))
           {
             m_last_move[v] = m_sweep;
@@ -95,8 +92,6 @@ public:
   }
 
 private:
-  static constexpr int never = -2;
-
   // Whether a vertex of its quads moved in this sweep or the one before.
   bool may_move(const int vertex) const
   {
@@ -155,14 +150,15 @@ private:
   }
 
   Sliding_quads& m_quads;
+  const std::vector<int>& m_vertices;
   double m_good_enough;
   double m_acceptable = 0;
   int m_sweep = 0;
   std::vector<int> m_last_move; // per vertex: the sweep
 };
 
-// Untangles and improves in rounds, with sweeps from the given vertices on.
-inline void smooth_from(Sliding_quads& quads, const std::vector<int>& vertices,
+// Untangles, improves and sweeps in rounds; only the given vertices move.
+inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
                         const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
   Distortion_sweeps sweeps(quads, vertices, options.good_enough);
@@ -190,7 +186,7 @@ inline std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_s
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   const std::vector<int> vertices = tangled_vertices(quads, is_patch_left_out);
   if(!vertices.empty())
-    smooth_from(quads, vertices, is_patch_left_out, options);
+    smooth_vertices(quads, vertices, is_patch_left_out, options);
   std::vector<int> result;
   for(const int q : inverted_quads(quads))
     if(!is_patch_left_out[complex.patch[q]])
@@ -211,7 +207,7 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   report.inverted_before = static_cast<int>(inverted_quads(quads).size());
   std::vector<int> vertices(quads.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  smooth_from(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
+  smooth_vertices(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
   report.worst_after = quads.worst();
   report.inverted_quads = inverted_quads(quads);
   return report;
