@@ -21,6 +21,7 @@
 #include <CGAL/Frame_fields/internal/surface/Longest_edge_splits.h>
 #include <CGAL/Frame_fields/internal/surface/coordinate_rounding.h>
 #include <CGAL/Frame_fields/internal/surface/flip_and_split.h>
+#include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
