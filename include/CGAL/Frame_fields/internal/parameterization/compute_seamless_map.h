@@ -112,6 +112,7 @@ public:
     m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
     Map_status status = Map_status::SOLVER_FAILED;
     int steps_left = maximum_number_of_steps, first_number_of_faults = 0;
+    int least_number_of_faults = (std::numeric_limits<int>::max)(); // after the first attempt
     for(int attempt = 0; attempt < maximum_number_of_attempts && steps_left > 0; ++attempt)
     {
       std::vector<double> z;
@@ -125,7 +126,9 @@ public:
         return status;
       if(is_first)
         first_number_of_faults = certificate.number_of_faults();
-      else if(is_hopeless(certificate.number_of_faults(), first_number_of_faults))
+      else
+        least_number_of_faults = (std::min)(least_number_of_faults, certificate.number_of_faults());
+      if(!is_first && is_hopeless(least_number_of_faults, first_number_of_faults))
         return status;
       stiffen_around_faults(certificate, 3);
     }
