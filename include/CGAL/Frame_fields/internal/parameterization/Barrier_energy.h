@@ -52,6 +52,19 @@ public:
   // The least d or r at the last call.
   double least() const { return m_least; }
 
+  // Per face: how many times as stiff as with chi = 1 it is at x, within limits.
+  std::vector<double> stiffness_of_faces(const std::vector<double>& x) const
+  {
+    const double least_stiffness = 1e-3, largest_stiffness = 1e8;
+    std::vector<double> result;
+    for(const Map_elements::Face& face : m_elements.faces())
+    {
+      const double stiffness = 1 / chi(determinant_of(differential(face, x))).value;
+      result.push_back(stiffness < largest_stiffness ? (std::max)(stiffness, least_stiffness) : largest_stiffness);
+    }
+    return result;
+  }
+
 private:
   struct Chi
   {
@@ -65,16 +78,27 @@ private:
              (1 + d / root) / 2 };
   }
 
-  double add_face(const Map_elements::Face& face, const std::vector<double>& x, std::vector<double>& gradient)
+  typedef std::array<std::array<double, 2>, 2> Matrix;
+
+  // Entry (r, s) is the derivative of coordinate r along branch s.
+  static Matrix differential(const Map_elements::Face& face, const std::vector<double>& x)
   {
-    double j[2][2] = { { 0, 0 }, { 0, 0 } }; // j[r][s]: derivative of coordinate r along branch s
+    Matrix j{ { { { 0, 0 } }, { { 0, 0 } } } };
     for(int k = 0; k < 3; ++k)
       for(int r = 0; r < 2; ++r)
       {
         j[r][0] += x[2 * face.vertex[k] + r] * face.gradient[k].x;
         j[r][1] += x[2 * face.vertex[k] + r] * face.gradient[k].y;
       }
-    const double d = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+    return j;
+  }
+
+  static double determinant_of(const Matrix& j) { return j[0][0] * j[1][1] - j[0][1] * j[1][0]; }
+
+  double add_face(const Map_elements::Face& face, const std::vector<double>& x, std::vector<double>& gradient)
+  {
+    const Matrix j = differential(face, x);
+    const double d = determinant_of(j);
     const double squared_norm = j[0][0] * j[0][0] + j[0][1] * j[0][1] + j[1][0] * j[1][0] + j[1][1] * j[1][1];
     const Chi c = chi(d);
     const double value = ((1 - theta) * squared_norm + theta * (d * d + 1)) / c.value;

@@ -48,6 +48,11 @@ public:
          : Map_status::CERTIFIED;
   }
 
+  int number_of_faults() const
+  {
+    return static_cast<int>(m_inverted_faces.size() + m_faces_of_faulty_edges.size() + m_wrong_sectors.size());
+  }
+
   const std::vector<int>& inverted_faces() const { return m_inverted_faces; }
   const std::vector<int>& faces_of_faulty_edges() const { return m_faces_of_faulty_edges; }
 

@@ -47,12 +47,19 @@ public:
     const int steps_of_round = 80, end = m_number_of_steps + maximum_number_of_steps;
     while(!is_untangled() && m_number_of_steps < end && !m_is_stuck)
     {
-      const double least_epsilon = 1e-3, part_of_least = 0.05;
-      set_epsilon(std::hypot(least_epsilon, part_of_least * (std::min)(m_least, 0.)));
+      set_epsilon(next_epsilon());
       const int end_of_round = (std::min)(end, m_number_of_steps + steps_of_round);
       while(!is_untangled() && m_number_of_steps < end_of_round && step()) {}
     }
     return is_untangled();
+  }
+
+  // Per face: how much stiffer the barrier makes it in the next round.
+  std::vector<double> stiffness_of_faces()
+  {
+    m_energy.set_epsilon(next_epsilon());
+    m_basis.multiply(m_z, m_x);
+    return m_energy.stiffness_of_faces(m_x);
   }
 
   // Makes an untangled map more even and leaves it untangled: without epsilon the barrier is infinitely high.
@@ -64,6 +71,12 @@ public:
   }
 
 private:
+  double next_epsilon() const
+  {
+    const double least_epsilon = 1e-3, part_of_least = 0.05;
+    return std::hypot(least_epsilon, part_of_least * (std::min)(m_least, 0.));
+  }
+
   void set_epsilon(const double epsilon)
   {
     m_energy.set_epsilon(epsilon);

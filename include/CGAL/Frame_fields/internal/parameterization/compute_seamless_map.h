@@ -110,16 +110,24 @@ public:
               map.quarter_turns.begin() + 3 * static_cast<std::ptrdiff_t>(m_patch.faces.begin_index));
     m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
     Map_status status = Map_status::SOLVER_FAILED;
-    int steps_left = maximum_number_of_steps;
+    int steps_left = maximum_number_of_steps, first_number_of_faults = 0;
+    int least_number_of_faults = (std::numeric_limits<int>::max)(); // after the first attempt
     for(int attempt = 0; attempt < maximum_number_of_attempts && steps_left > 0; ++attempt)
     {
       std::vector<double> z;
-      if(!solve_and_untangle(solver_traits, z, steps_left) || !write(z, map, fraction_bits))
+      const bool is_first = attempt == 0;
+      if(!solve_and_untangle(solver_traits, is_first, z, steps_left) || !write(z, map, fraction_bits))
         return Map_status::SOLVER_FAILED;
       const Map_certificate certificate(m_surface, m_patch, m_index,
                                         [this](const int h) { return m_field.branch_along(h); }, map);
       status = certificate.status();
       if(status == Map_status::CERTIFIED)
+        return status;
+      if(is_first)
+        first_number_of_faults = certificate.number_of_faults();
+      else
+        least_number_of_faults = (std::min)(least_number_of_faults, certificate.number_of_faults());
+      if(!is_first && is_hopeless(least_number_of_faults, first_number_of_faults))
         return status;
       stiffen_around_faults(certificate, 3);
     }
@@ -128,11 +136,22 @@ public:
 
 private:
   // Budgets are in steps, not in seconds: the result must not depend on the machine.
-  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 450, steps_of_attempt = 150;
+  static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 1200;
+  static constexpr int steps_of_first_attempt = 150, steps_of_attempt = 250, steps_of_factorization = 10;
   static constexpr int number_of_improving_steps = 10;
 
+  // Many faults, hardly fewer than after the first attempt: then more steps are of no use.
+  static bool is_hopeless(const int number_of_faults, const int first_number)
+  {
+    const int few_faults = 20;
+    return number_of_faults > few_faults && 2 * number_of_faults > first_number;
+  }
+
+  // The factorization of the quadratic energy is enough for most patches; the others need ones of what the barrier
+  // makes of it on the way.
   template <typename SolverTraits>
-  bool solve_and_untangle(const SolverTraits& solver_traits, std::vector<double>& z, int& steps_left) const
+  bool solve_and_untangle(const SolverTraits& solver_traits, const bool keeps_factorization, std::vector<double>& z,
+                          int& steps_left) const
   {
     const Frame_energy energy(m_elements, m_basis);
     auto solver = solver_traits.real_solver_object();
@@ -141,10 +160,42 @@ private:
     Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
     if(untangler.is_untangled())
       return true;
-    const bool is_untangled = untangler.untangle((std::min)(steps_of_attempt, steps_left));
-    steps_left -= untangler.number_of_steps();
+    if(keeps_factorization)
+    {
+      const bool is_untangled = untangler.untangle(steps_of_first_attempt);
+      steps_left -= untangler.number_of_steps();
+      if(is_untangled)
+        untangler.improve(number_of_improving_steps);
+      return true;
+    }
+    std::vector<double> stiffness = untangler.stiffness_of_faces();
+    const int end = (std::max)(0, steps_left - steps_of_attempt);
+    bool is_untangled = false;
+    while(!is_untangled && steps_left > end)
+      if(!untangle_with(solver_traits, z, stiffness, is_untangled, steps_left))
+        break;
+    return true;
+  }
+
+  // Takes a few steps with a factorization for the stiffness of the faces, and gives them the stiffness at the end.
+  // Returns whether the factorization succeeded.
+  template <typename SolverTraits>
+  bool untangle_with(const SolverTraits& solver_traits, std::vector<double>& z, std::vector<double>& stiffness,
+                     bool& is_untangled, int& steps_left) const
+  {
+    Map_elements elements = m_elements;
+    for(std::size_t f = 0; f < stiffness.size(); ++f)
+      elements.stiffen(static_cast<int>(f), stiffness[f]);
+    auto solver = solver_traits.real_solver_object();
+    if(!solver.factor(Frame_energy(elements, m_basis).matrix()))
+      return false;
+    Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
+    is_untangled = untangler.untangle(steps_of_factorization);
+    steps_left -= (std::max)(1, untangler.number_of_steps());
     if(is_untangled)
       untangler.improve(number_of_improving_steps);
+    else
+      stiffness = untangler.stiffness_of_faces();
     return true;
   }
 
