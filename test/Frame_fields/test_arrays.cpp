@@ -237,6 +237,101 @@ TEST(Repair, moves_indices_at_least_cost_and_makes_sharp_corners_natural)
   EXPECT_LT(200u, number_of_changes);
 }
 
+// A polygon of n corners around m vertices inside, which are corners of a polygon, too, or of a hole. Every second
+// corner of the outer one has the given angle.
+Test_surface polygon_around(const int m, const int n, const double tip_angle, const bool has_hole = false)
+{
+  const double tangent = std::tan(tip_angle / 2), turn = 2 * CGAL_PI / n;
+  const double radius_between_tips = tangent / (std::sin(turn) + tangent * std::cos(turn));
+  Points points;
+  Triangles triangles;
+  for(int j = 0; j < m; ++j)
+    points.push_back({ 0.4 * std::cos(2 * CGAL_PI * (j + 0.5) / m), 0.4 * std::sin(2 * CGAL_PI * (j + 0.5) / m), 0 });
+  for(int i = 0; i < n; ++i)
+  {
+    const double radius = i % 2 == 0 ? 1 : radius_between_tips;
+    points.push_back({ radius * std::cos(turn * i), radius * std::sin(turn * i), 0 });
+    triangles.push_back({ { i * m / n, m + i, m + (i + 1) % n } });
+  }
+  for(int j = 0; j < m; ++j)
+    triangles.push_back({ { j, m + (j + 1) * (n / m) % n, (j + 1) % m } });
+  for(int j = 2; j < m && !has_hole; ++j)
+    triangles.push_back({ { 0, j - 1, j } });
+  return Test_surface(points, triangles);
+}
+
+struct Repair_of_polygon
+{
+  std::vector<int> rounded_index, index;
+};
+
+Repair_of_polygon repair_of_polygon(const Test_surface& surface, const double largest_omega, std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> any(-largest_omega, largest_omega);
+  std::vector<double> omega;
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+    omega.push_back(any(generator));
+  std::vector<int> matching;
+  std::vector<Repaired_sector> repaired;
+  Repair_of_polygon result;
+  EXPECT_EQ(FF::OK, compute_matching_and_indices<CGAL::Sequential_tag>(
+                      surface, omega, random_aligned_field(surface, generator), options_with(FF::UNIFORM_WEIGHTS),
+                      matching, result.index, repaired).error_code);
+  result.rounded_index = result.index;
+  for(const Repaired_sector& sector : repaired)
+    result.rounded_index[sector.sector] = sector.rounded_index;
+  return result;
+}
+
+// Between a regular polygon and a triangular hole there are three quarters too much for natural sectors and no sectors
+// inside: the corners of the polygon take one each.
+TEST(Repair, leaves_no_corner_unmeshable_where_there_is_no_room_inside)
+{
+  std::mt19937 generator(17);
+  const Test_surface surface = polygon_around(3, 12, 150 * CGAL_PI / 180, true);
+  int number_of_unmeshable_ones = 0;
+  for(int i = 0; i < 100; ++i)
+  {
+    const Repair_of_polygon repair = repair_of_polygon(surface, 2, generator);
+    for(int s = 0; s < surface.number_of_sectors(); ++s)
+    {
+      number_of_unmeshable_ones += repair.rounded_index[s] > 1;
+      EXPECT_LE(repair.index[s], 1) << i;
+    }
+  }
+  EXPECT_GT(number_of_unmeshable_ones, 20);
+}
+
+// The tips take one quarter each, and what they take is missing inside, the same everywhere but for one quarter.
+TEST(Repair, takes_evenly_from_the_sectors_inside)
+{
+  std::mt19937 generator(18);
+  int number_of_cases = 0;
+  for(const int n : { 16, 20, 24 })
+    for(int i = 0; i < 40; ++i)
+    {
+      const Test_surface surface = polygon_around(4, n, 112 * CGAL_PI / 180);
+      const Repair_of_polygon repair = repair_of_polygon(surface, 0.3, generator);
+      int least = 9, largest = -9, least_rounded = 0;
+      for(int s = 0; s < surface.number_of_sectors(); ++s)
+        if(surface.is_constrained_sector(s))
+        {
+          EXPECT_EQ(natural_index(surface, s), repair.index[s]) << n;
+        }
+        else
+        {
+          least = (std::min)(least, repair.index[s]);
+          largest = (std::max)(largest, repair.index[s]);
+          least_rounded = (std::min)(least_rounded, repair.rounded_index[s]);
+        }
+      if(least_rounded < -1)
+        continue; // that stays there
+      ++number_of_cases;
+      EXPECT_LE(largest - least, n == 20 ? 1 : 0) << n; // n / 2 - 4 quarters for 4 sectors
+    }
+  EXPECT_GT(number_of_cases, 30);
+}
+
 // Many paths run across each other here: every singularity of a random field goes to the middle.
 TEST(Index_targets, are_met_at_least_cost)
 {
