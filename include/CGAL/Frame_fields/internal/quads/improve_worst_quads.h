@@ -108,18 +108,27 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
   return number_of_slides > 0;
 }
 
-// Raises what is below `bound` where single vertices of the list can. Returns whether any could.
+// Raises what is below `bound` where single vertices of the list can. Returns whether any could. After the first sweep,
+// only those are tried again whose quads have changed.
 inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& vertices, const double bound)
 {
   const int number_of_sweeps = 5;
+  std::vector<int> last_change(quads.number_of_quads(), 0); // per quad: the sweep
   bool has_any_improved = false;
-  for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+  for(int sweep = 1; sweep <= number_of_sweeps; ++sweep)
   {
     bool has_improved = false;
     for(const int v : vertices)
-      if(quads.freedom(v) != Sliding_quads::FIXED && quads.shape_around(v).scaled_jacobian < bound
-         && raise_worst_quad_of_vertex(quads, v))
-        has_improved = true;
+    {
+      const bool has_changed = std::any_of(quads.corners_begin(v), quads.corners_end(v), [&](const int c)
+                                           { return last_change[c / 4] + 1 >= sweep; });
+      if(!has_changed || quads.freedom(v) == Sliding_quads::FIXED || quads.shape_around(v).scaled_jacobian >= bound
+         || !raise_worst_quad_of_vertex(quads, v))
+        continue;
+      has_improved = true;
+      for(const int* c = quads.corners_begin(v); c != quads.corners_end(v); ++c)
+        last_change[*c / 4] = sweep;
+    }
     if(!has_improved)
       break;
     has_any_improved = true;

@@ -105,7 +105,8 @@ Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embeddi
     const std::vector<int> inverted =
       smooth_inverted_quads(next, surface, embedding, features, is_next_filled, options);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
-    const bool has_more_room = is_better && !inverted.empty() && refinement < maximum_number_of_refinements
+    const bool is_worth_more = refinement == 0 || 4 * inverted.size() <= 3 * least_number_of_inverted;
+    const bool has_more_room = is_worth_more && !inverted.empty() && refinement < maximum_number_of_refinements
                                && maker.refine(next, inverted);
     if(is_better)
     {
@@ -120,7 +121,7 @@ Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embeddi
   // Valid quads matter more than that vertices stay at the bends of arcs.
   options.may_release_bends = true;
   smooth_inverted_quads(complex, surface, embedding, features, std::vector<char>(surface.patches.size(), 0), options);
-  options.may_release_bends = false;
+  options.untangles = options.may_release_bends = false;
   smooth(complex, surface, embedding, features, options);
   return complex;
 }

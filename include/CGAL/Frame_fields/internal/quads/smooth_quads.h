@@ -38,6 +38,7 @@ struct Smoothing_options
 {
   int number_of_sweeps = 20;                // of all vertices by the distortion
   int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
+  bool untangles = true;                    // whether inverted quads are turned together with the quads around them
   bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
   double arc_tolerance = 0;                 // by how much sides may leave arcs there
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
@@ -162,7 +163,7 @@ inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertic
                         const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
   Distortion_sweeps sweeps(quads, vertices, options.good_enough);
-  bool may_untangle = untangle_quads(quads, is_patch_left_out);
+  bool may_untangle = options.untangles && untangle_quads(quads, is_patch_left_out);
   sweeps.run(options.number_of_sweeps);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
