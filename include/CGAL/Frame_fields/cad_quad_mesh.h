@@ -18,12 +18,9 @@
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
-#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
-#include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
-#include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
+#include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -203,27 +200,9 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(field_result.error_code != OK)
     return internal::to_result(cut_mesh, field_result);
 
-  clock.start(Quad_stage::SEAMLESS_MAP);
-  const double target_edge_length = edge_length / surface.length_unit;
-  const std::vector<double> target_length(surface.number_of_faces(), target_edge_length);
-  internal::Seamless_map map;
-  const std::vector<int> cancelled_pairs = internal::compute_seamless_map_and_repair_field<Concurrency_tag>(
-    surface, options, target_length, solver_traits, field, map);
-
-  Quad_statistics statistics;
-  internal::write_statistics(surface, options, field, internal::No_stage_clock(), statistics.field);
-  const internal::Quad_complex complex =
-    internal::make_quads<Concurrency_tag>(surface, embedding, field.index, map, {}, target_edge_length, clock,
-                                          statistics);
-  internal::note_cancelled_pairs(cancelled_pairs, statistics);
-  clock.start(Quad_stage::ASSEMBLY);
-  internal::output_quads(surface, embedding, complex, given_unit, quad_mesh, np);
-  clock.stop();
-  statistics.quality = internal::quality_of(surface, embedding, complex, given_unit);
-  statistics.target_edge_length = target_edge_length * surface.length_unit * given_unit;
-  statistics.seconds = clock.seconds();
-  internal::put_statistics(CGAL::parameters::get_parameter(np, internal::statistics), statistics);
-  return {};
+  const bool is_field_given = false;
+  return internal::quads_of_field<Concurrency_tag>(surface, embedding, given_unit, edge_length / surface.length_unit,
+                                                   options, solver_traits, field, is_field_given, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields
