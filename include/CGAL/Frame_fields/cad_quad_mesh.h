@@ -18,9 +18,15 @@
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
+#include <CGAL/Frame_fields/internal/quads/carry_to_copy.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
+#include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -29,7 +35,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <vector>
+#include <utility>
 
 /// \file cad_quad_mesh.h
 
@@ -177,11 +183,11 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return result;
   const auto& given_mesh = given_stage_mesh.cut_mesh();
   const double given_unit = given_mesh.surface().length_unit;
-  const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
-  if(const Result result = internal::check_number_of_quads(given_mesh.surface(), edge_length); !result)
+  const internal::Surface_embedding given_embedding = internal::embed(given_mesh);
+  internal::Quad_request given_request;
+  if(const Result result = internal::read_quad_request(given_mesh, given_embedding, np, size, given_request); !result)
     return result;
-  internal::Working_mesh mesh =
-    internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
+  internal::Working_mesh mesh = internal::working_copy(given_mesh.surface(), given_embedding);
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
@@ -192,6 +198,8 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
   const internal::Surface_embedding embedding = internal::embed(cut_mesh);
+  const internal::Quad_request request =
+    internal::carry_to_copy(given_request, given_mesh.surface(), given_embedding, cut_mesh, embedding);
 
   clock.start(Quad_stage::FIELD);
   internal::Frame_field field;
@@ -201,8 +209,13 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return internal::to_result(cut_mesh, field_result);
 
   const bool is_field_given = false;
-  return internal::quads_of_field<Concurrency_tag>(surface, embedding, given_unit, edge_length / surface.length_unit,
-                                                   options, solver_traits, field, is_field_given, clock, quad_mesh, np);
+  const auto locate = [&](const internal::Surface_location& location)
+  {
+    const internal::Surface_location given = internal::location_in_given_mesh(given_embedding, cut_mesh, location);
+    return std::make_pair(given_mesh.face_descriptors()[given.face], given.barycentric);
+  };
+  return internal::quads_of_field<Concurrency_tag>(surface, embedding, given_unit, request, options, solver_traits,
+                                                   field, is_field_given, locate, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields

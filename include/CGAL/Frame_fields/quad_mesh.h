@@ -19,14 +19,19 @@
 #include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/seamless_map_output.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
+#include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <utility>
 #include <vector>
 
 /// \file quad_mesh.h
@@ -172,8 +177,9 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
     return result;
   const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
-  const double edge_length = internal::target_edge_length_of(size, surface);
-  if(const Result result = internal::check_number_of_quads(surface, edge_length); !result)
+  const internal::Surface_embedding embedding = internal::embed(cut_mesh);
+  internal::Quad_request request;
+  if(const Result result = internal::read_quad_request(cut_mesh, embedding, np, size, request); !result)
     return result;
 
   clock.start(Quad_stage::FIELD);
@@ -194,9 +200,13 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
 
   const double unit = 1;
   const bool is_field_given = true;
-  return internal::quads_of_field<Concurrency_tag>(surface, internal::embed(cut_mesh), unit, edge_length, options,
+  const auto locate = [&](const internal::Surface_location& location)
+  {
+    return std::make_pair(cut_mesh.face_descriptors()[location.face], location.barycentric);
+  };
+  return internal::quads_of_field<Concurrency_tag>(surface, embedding, unit, request, options,
                                                    internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), field,
-                                                   is_field_given, clock, quad_mesh, np);
+                                                   is_field_given, locate, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields

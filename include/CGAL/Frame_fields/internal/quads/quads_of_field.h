@@ -15,10 +15,13 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -27,39 +30,51 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// From a field to quads in the caller's mesh. `edge_length` is in the unit of `Cut_surface::length`; `unit` is what the
-// caller's lengths are divided by before they get to the surface. Of a field that is given, there are no statistics.
-template <typename ConcurrencyTag, typename SolverTraits, typename StageClock, typename QuadMesh,
+// From a field to quads in the caller's mesh. `unit` is what the caller's lengths are divided by before they get to the
+// surface; `locate` is as for `output_quads()`. Of a field that is given, there are no statistics.
+template <typename ConcurrencyTag, typename SolverTraits, typename StageClock, typename Locate, typename QuadMesh,
           typename NamedParameters>
 Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
-                      const double edge_length, const Options& options, const SolverTraits& solver_traits,
-                      Frame_field& field, const bool is_field_given, StageClock& clock, QuadMesh& quad_mesh,
-                      const NamedParameters& np)
+                      const Quad_request& request, const Options& options, const SolverTraits& solver_traits,
+                      Frame_field& field, const bool is_field_given, const Locate& locate, StageClock& clock,
+                      QuadMesh& quad_mesh, const NamedParameters& np)
 {
   clock.start(Quad_stage::SEAMLESS_MAP);
-  const std::vector<double> target_length(surface.number_of_faces(), edge_length);
+  const std::vector<double> target_length = edge_length_of_faces(surface, embedding, request);
   Seamless_map map;
   const std::vector<int> cancelled_pairs = compute_seamless_map_and_repair_field<ConcurrencyTag>(
     surface, options, target_length, solver_traits, field, map);
+
+  const Feature_network features = make_feature_network(
+    surface, embedding, feature_nodes(surface, embedding, field.index, request.is_node));
+  std::vector<int> number_of_edges;
+  if(const int h = read_numbers_of_arcs(request, features, number_of_edges); h >= 0)
+    return failure(ERROR_WRONG_PARAMETER,
+                   "number_of_edges_map is " + std::to_string(request.number_of_edges[h]) + " on "
+                   + text_of_edge(embedding, h, surface.length_unit * unit)
+                   + ", but another number on the same curve, or less than 3 on a closed one without node");
 
   Quad_statistics statistics;
   if(!is_field_given)
     write_statistics(surface, options, field, No_stage_clock(), statistics.field);
   const Quad_complex complex =
-    make_quads<ConcurrencyTag>(surface, embedding, field.index, map, {}, edge_length, clock, statistics);
+    make_quads<ConcurrencyTag>(surface, embedding, field.index, map, features, request, number_of_edges, clock,
+                               statistics);
   note_cancelled_pairs(cancelled_pairs, statistics);
   clock.start(Quad_stage::ASSEMBLY);
-  output_quads(surface, embedding, complex, unit, quad_mesh, np);
+  output_quads(surface, embedding, complex, unit, locate, quad_mesh, np);
   clock.stop();
   statistics.quality = quality_of(surface, embedding, complex, unit);
-  statistics.target_edge_length = edge_length * surface.length_unit * unit;
+  statistics.target_edge_length = request.edge_length * surface.length_unit * unit;
   statistics.seconds = clock.seconds();
+  write_filled_patches(statistics, CGAL::parameters::get_parameter(np, internal::fallback_patch_output_iterator));
   put_statistics(CGAL::parameters::get_parameter(np, internal::statistics), statistics);
   return {};
 }
