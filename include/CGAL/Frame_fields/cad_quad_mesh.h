@@ -104,6 +104,35 @@ vertices are on them.
     \cgalParamType{a number, at least 1}
     \cgalParamDefault{it follows from `target_edge_length`}
   \cgalParamNEnd
+  \cgalParamNBegin{sizing_map}
+    \cgalParamDescription{the length that the edges of the quads should have near each vertex, in place of
+                          `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a type that is convertible to
+                   `double`, positive and finite, as value type}
+    \cgalParamDefault{`target_edge_length` everywhere}
+    \cgalParamExtra{Lines get as many edges as the integral of one over the length says, where the integers of
+                    opposite sides allow it; so lengths should change slowly. With `number_of_quads`, only the ratios of
+                    the lengths count.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_edges_map}
+    \cgalParamDescription{the number of quad edges that the feature or border curve of an edge must get, 0 for any. A
+                          curve ends at nodes: at vertices where feature edges end, meet or turn, and at those of
+                          `vertex_is_constrained_map`. One of its edges is enough.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
+                   key type and `int` as value type}
+    \cgalParamDefault{all numbers are chosen by length}
+    \cgalParamExtra{Numbers go before the wanted lengths and the bends of curves. Where they contradict one another
+                    across a patch, or would cost a patch its certified map, those are given up that are farthest from
+                    what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
+                    `Quad_statistics::number_of_unmet_edge_numbers`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any vertex}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -138,6 +167,20 @@ vertices are on them.
                    type and `int` as value type}
     \cgalParamDefault{it is not written}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_face_location_map}
+    \cgalParamDescription{gets for each vertex of the result where it is on `tm`: a face, and its barycentric
+                          coordinates there for the source of the halfedge of the face, its target, and the third
+                          vertex}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor` as
+                   key type and `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor, std::array<FT, 3> >` as
+                   value type, which is `CGAL::Polygon_mesh_processing::Face_location<TriangleMesh, FT>`}
+    \cgalParamDefault{it is not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{fallback_patch_output_iterator}
+    \cgalParamDescription{gets the numbers of the patches that were filled, as in `face_to_patch_map`}
+    \cgalParamType{a model of `OutputIterator` that accepts `int`}
+    \cgalParamDefault{they are not listed}
+  \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the way of each patch, the quality of the result and the seconds of each
                           stage}
@@ -149,13 +192,14 @@ vertices are on them.
 \cgalNamedParamsEnd
 
 \return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
-        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh`
-        then.
+        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`, and so do two numbers of edges
+        on one curve. Nothing is added to `quad_mesh` then.
 
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
 
 \sa `refine_triangles()`, for raw tessellations with triangles that are much longer than the quads
+\sa `quad_mesh()`, for a field that is given
 \sa `quad_mesh_quality()`
 \sa `seamless_parameterization()`
 \sa `cad_frame_field()`

@@ -102,6 +102,35 @@ unless `repair_matching` is `false`.
     \cgalParamType{a number, at least 1}
     \cgalParamDefault{it follows from `target_edge_length`}
   \cgalParamNEnd
+  \cgalParamNBegin{sizing_map}
+    \cgalParamDescription{the length that the edges of the quads should have near each vertex, in place of
+                          `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a type that is convertible to
+                   `double`, positive and finite, as value type}
+    \cgalParamDefault{`target_edge_length` everywhere}
+    \cgalParamExtra{Lines get as many edges as the integral of one over the length says, where the integers of
+                    opposite sides allow it; so lengths should change slowly. With `number_of_quads`, only the ratios of
+                    the lengths count.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_edges_map}
+    \cgalParamDescription{the number of quad edges that the feature or border curve of an edge must get, 0 for any. A
+                          curve ends at nodes: at vertices where feature edges end, meet or turn, and at those of
+                          `vertex_is_constrained_map`. One of its edges is enough.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
+                   key type and `int` as value type}
+    \cgalParamDefault{all numbers are chosen by length}
+    \cgalParamExtra{Numbers go before the wanted lengths and the bends of curves. Where they contradict one another
+                    across a patch, or would cost a patch its certified map, those are given up that are farthest from
+                    what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
+                    `Quad_statistics::number_of_unmet_edge_numbers`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any vertex}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -136,13 +165,27 @@ unless `repair_matching` is `false`.
                    type and `int` as value type}
     \cgalParamDefault{it is not written}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_face_location_map}
+    \cgalParamDescription{gets for each vertex of the result where it is on `tm`: a face, and its barycentric
+                          coordinates there for the source of the halfedge of the face, its target, and the third
+                          vertex}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor` as
+                   key type and `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor, std::array<FT, 3> >` as
+                   value type, which is `CGAL::Polygon_mesh_processing::Face_location<TriangleMesh, FT>`}
+    \cgalParamDefault{it is not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{fallback_patch_output_iterator}
+    \cgalParamDescription{gets the numbers of the patches that were filled, as in `face_to_patch_map`}
+    \cgalParamType{a model of `OutputIterator` that accepts `int`}
+    \cgalParamDefault{they are not listed}
+  \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the way of each patch, the quality of the result and the seconds of each
                           stage}
     \cgalParamType{`std::reference_wrapper<Quad_statistics>`, that is `std::ref(s)` for an object `s` of type
                    `Quad_statistics`}
     \cgalParamDefault{they are not computed}
-    \cgalParamExtra{Set on success only.}
+    \cgalParamExtra{Set on success only; the member `field` stays as it is by default.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -293,7 +293,7 @@ private:
         return;
       std::vector<int> blocked = quantization.unattainable;
       blocked.insert(blocked.end(), quantization.conflicting.begin(), quantization.conflicting.end());
-      if(!lower_raised_bounds(blocked) && !ignore_bends(blocked) && !release_blocked_arc(blocked))
+      if(!ignore_bends(blocked) && !release_blocked_arc(blocked) && !lower_raised_bounds(blocked))
         give_up_blocked_patch(blocked);
     }
   }
