@@ -37,6 +37,7 @@
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
+#include <CGAL/Frame_fields/quad_mesh.h>
 #include <CGAL/Frame_fields/quad_mesh_quality.h>
 #include <CGAL/Frame_fields/refine_triangles.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>

@@ -275,8 +275,8 @@ Repair_of_polygon repair_of_polygon(const Test_surface& surface, const double la
   std::vector<Repaired_sector> repaired;
   Repair_of_polygon result;
   EXPECT_EQ(FF::OK, compute_matching_and_indices<CGAL::Sequential_tag>(
-                      surface, omega, random_aligned_field(surface, generator), options_with(FF::UNIFORM_WEIGHTS),
-                      matching, result.index, repaired).error_code);
+                      surface, omega, random_aligned_field(surface, generator),
+                      options_with(FF::Edge_weighting::UNIFORM), matching, result.index, repaired).error_code);
   result.rounded_index = result.index;
   for(const Repaired_sector& sector : repaired)
     result.rounded_index[sector.sector] = sector.rounded_index;

@@ -411,8 +411,9 @@ class Usage(ProgramTest):
         manual = (paths.sources / "doc/Frame_fields/Programs.txt").read_text()
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--write-features", "--support", "none", "local", "rings:K", "radius:R", "component",
-                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound", "--no-repair",
-                       "--no-relaxation", "--no-baseline", "--compare", "--threads", "-o", "--ascii", "--vtp",
+                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound",
+                       "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--no-baseline", "--compare",
+                       "--threads", "-o", "--ascii", "--vtp",
                        "--field", "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help",
                        "--version", "Exit codes"):
             with self.subTest(option):
@@ -441,6 +442,7 @@ class Usage(ProgramTest):
                 ("--sharp-corner-bound", "cube.off --sharp-corner-bound nan"),
                 ("--sharp-corner-bound", "cube.off --sharp-corner-bound 361"),
                 ("--sharp-corner-bound", "cube.off --sharp-corner-bound -1"),
+                ("--blunt-corner-bound", "cube.off --blunt-corner-bound -1"),
                 ("--feature-angle", "cube.off --feature-angle sharp"),
                 ("--feature-angle", "cube.off --feature-angle 181"),
                 ("--weak-angle", "cube.off --weak-angle nan"), ("--weak-angle", "cube.off --weak-angle 41"),

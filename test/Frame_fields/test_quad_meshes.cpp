@@ -8,7 +8,10 @@
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
+#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
+#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/assemble.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
@@ -413,21 +416,21 @@ public:
     typedef typename decltype(m_cad_mesh.features())::Pack Pack;
     FF::internal::Options options = FF::internal::options_from(np);
     options.measures_lengths = true;
-    FF::internal::Cut_mesh<Surface_mesh, Pack> cut_mesh(m_cad_mesh.mesh, np);
-    EXPECT_TRUE(cut_mesh.build(options));
+    FF::internal::Stage_mesh<Surface_mesh, Pack> stage_mesh(m_cad_mesh.mesh, np);
+    EXPECT_TRUE(stage_mesh.cut(options));
+    const auto& cut_mesh = stage_mesh.cut_mesh();
     m_surface = cut_mesh.surface();
     m_embedding = FF::internal::embed(cut_mesh);
     m_length = mean_edge_length(m_cad_mesh.mesh) / m_surface.length_unit;
 
     FF::internal::Quad_stage_clock<Pack> clock(np);
-    FF::internal::Frame_field frame_field;
+    FF::internal::Frame_field field;
     EXPECT_EQ(FF::OK, FF::internal::compute_frame_field<CGAL::Sequential_tag>(
-                        m_surface, options, FF::Eigen_frame_field_solver_traits(), clock, frame_field).error_code);
-    const FF::internal::Quad_field field = FF::internal::quad_field_of(frame_field);
+                        m_surface, options, FF::Eigen_frame_field_solver_traits(), clock, field).error_code);
+    FF::internal::compute_seamless_map_and_repair_field<CGAL::Sequential_tag>(
+      m_surface, options, std::vector<double>(m_surface.number_of_faces(), m_length),
+      FF::Eigen_frame_field_solver_traits(), field, m_map);
     m_index = field.index;
-    FF::internal::compute_seamless_map<CGAL::Sequential_tag>(
-      m_surface, field.alpha, field.rho, field.matching, field.index,
-      std::vector<double>(m_surface.number_of_faces(), m_length), FF::Eigen_frame_field_solver_traits(), m_map);
     const std::vector<char> is_node = FF::internal::feature_nodes(m_surface, m_embedding, m_index, {});
     m_features = FF::internal::make_feature_network(m_surface, m_embedding, is_node);
     for(int s = 0; s < m_surface.number_of_sectors(); ++s)

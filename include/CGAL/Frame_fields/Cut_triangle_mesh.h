@@ -44,7 +44,7 @@ is a triangle mesh that is cut along its constrained edges, once for all functio
 Each function that computes, reads or measures a field cuts the mesh first. Where several are called for the same mesh,
 a `Cut_triangle_mesh` can be passed to each in place of the mesh; the results are the same, bit for bit. The functions
 are `cad_frame_field()`, `cad_quad_mesh()`, `comb_frame_field()`, `frame_field_from_vectors()`,
-`frame_field_quality()`, `orthogonal_frame_field()`, `prescribe_rotation()`, `relax_frame_field()`,
+`frame_field_quality()`, `orthogonal_frame_field()`, `prescribe_rotation()`, `quad_mesh()`, `relax_frame_field()`,
 `seamless_parameterization()`, `sharp_corners()`, `singularities()`, `singularity_indices()` and `trace_streamlines()`.
 
 The points, the constrained edges and the weights of the edges are those given to the constructor. So these functions

@@ -98,6 +98,7 @@ struct Quad_statistics
   std::size_t number_of_repaired_patches = 0;  ///< patches whose field lost pairs of indices
   std::size_t number_of_nodes = 0;             ///< vertices at which feature curves end, meet or turn
   std::size_t number_of_arcs = 0;              ///< feature curves between nodes, or closed without any
+  std::size_t number_of_unmet_edge_numbers = 0; ///< arcs that do not have the number of edges of `number_of_edges_map`
   std::size_t number_of_quads = 0;             ///< faces of the result
   double target_edge_length = 0;               ///< the one given, or the one that follows from `number_of_quads`
 

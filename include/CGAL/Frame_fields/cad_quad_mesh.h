@@ -18,12 +18,15 @@
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
-#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
-#include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
-#include <CGAL/Frame_fields/internal/quads/make_quads.h>
+#include <CGAL/Frame_fields/internal/quads/carry_to_copy.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
+#include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
+#include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -32,7 +35,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <vector>
+#include <utility>
 
 /// \file cad_quad_mesh.h
 
@@ -101,6 +104,35 @@ vertices are on them.
     \cgalParamType{a number, at least 1}
     \cgalParamDefault{it follows from `target_edge_length`}
   \cgalParamNEnd
+  \cgalParamNBegin{sizing_map}
+    \cgalParamDescription{the length that the edges of the quads should have near each vertex, in place of
+                          `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a type that is convertible to
+                   `double`, positive and finite, as value type}
+    \cgalParamDefault{`target_edge_length` everywhere}
+    \cgalParamExtra{Lines get as many edges as the integral of one over the length says, where the integers of
+                    opposite sides allow it; so lengths should change slowly. With `number_of_quads`, only the ratios of
+                    the lengths count.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_edges_map}
+    \cgalParamDescription{the number of quad edges that the feature or border curve of an edge must get, 0 for any. A
+                          curve ends at nodes: at vertices where feature edges end, meet or turn, and at those of
+                          `vertex_is_constrained_map`. One of its edges is enough.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
+                   key type and `int` as value type}
+    \cgalParamDefault{all numbers are chosen by length}
+    \cgalParamExtra{Numbers go before the wanted lengths and the bends of curves. Where they contradict one another
+                    across a patch, or would cost a patch its certified map, those are given up that are farthest from
+                    what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
+                    `Quad_statistics::number_of_unmet_edge_numbers`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false` for any vertex}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}
     \cgalParamType{a class model of `FrameFieldSolverTraits`, or of `SparseLinearAlgebraWithFactorTraits_d` with `NT`
@@ -135,6 +167,20 @@ vertices are on them.
                    type and `int` as value type}
     \cgalParamDefault{it is not written}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_face_location_map}
+    \cgalParamDescription{gets for each vertex of the result where it is on `tm`: a face, and its barycentric
+                          coordinates there for the source of the halfedge of the face, its target, and the third
+                          vertex}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<QuadMesh>::%vertex_descriptor` as
+                   key type and `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor, std::array<FT, 3> >` as
+                   value type, which is `CGAL::Polygon_mesh_processing::Face_location<TriangleMesh, FT>`}
+    \cgalParamDefault{it is not written}
+  \cgalParamNEnd
+  \cgalParamNBegin{fallback_patch_output_iterator}
+    \cgalParamDescription{gets the numbers of the patches that were filled, as in `face_to_patch_map`}
+    \cgalParamType{a model of `OutputIterator` that accepts `int`}
+    \cgalParamDefault{they are not listed}
+  \cgalParamNEnd
   \cgalParamNBegin{statistics}
     \cgalParamDescription{gets the counts, the way of each patch, the quality of the result and the seconds of each
                           stage}
@@ -146,13 +192,14 @@ vertices are on them.
 \cgalNamedParamsEnd
 
 \return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
-        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`. Nothing is added to `quad_mesh`
-        then.
+        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`, and so do two numbers of edges
+        on one curve. Nothing is added to `quad_mesh` then.
 
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
 
 \sa `refine_triangles()`, for raw tessellations with triangles that are much longer than the quads
+\sa `quad_mesh()`, for a field that is given
 \sa `quad_mesh_quality()`
 \sa `seamless_parameterization()`
 \sa `cad_frame_field()`
@@ -180,11 +227,11 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return result;
   const auto& given_mesh = given_stage_mesh.cut_mesh();
   const double given_unit = given_mesh.surface().length_unit;
-  const double edge_length = internal::target_edge_length_of(size, given_mesh.surface());
-  if(const Result result = internal::check_number_of_quads(given_mesh.surface(), edge_length); !result)
+  const internal::Surface_embedding given_embedding = internal::embed(given_mesh);
+  internal::Quad_request given_request;
+  if(const Result result = internal::read_quad_request(given_mesh, given_embedding, np, size, given_request); !result)
     return result;
-  internal::Working_mesh mesh =
-    internal::working_copy(given_mesh.surface(), internal::embed(given_mesh));
+  internal::Working_mesh mesh = internal::working_copy(given_mesh.surface(), given_embedding);
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
@@ -195,6 +242,8 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   const auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
   const internal::Surface_embedding embedding = internal::embed(cut_mesh);
+  const internal::Quad_request request =
+    internal::carry_to_copy(given_request, given_mesh.surface(), given_embedding, cut_mesh, embedding);
 
   clock.start(Quad_stage::FIELD);
   internal::Frame_field field;
@@ -203,27 +252,14 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(field_result.error_code != OK)
     return internal::to_result(cut_mesh, field_result);
 
-  clock.start(Quad_stage::SEAMLESS_MAP);
-  const double target_edge_length = edge_length / surface.length_unit;
-  const std::vector<double> target_length(surface.number_of_faces(), target_edge_length);
-  internal::Seamless_map map;
-  const std::vector<int> cancelled_pairs = internal::compute_seamless_map_and_repair_field<Concurrency_tag>(
-    surface, options, target_length, solver_traits, field, map);
-
-  Quad_statistics statistics;
-  internal::write_statistics(surface, options, field, internal::No_stage_clock(), statistics.field);
-  const internal::Quad_complex complex =
-    internal::make_quads<Concurrency_tag>(surface, embedding, field.index, map, {}, target_edge_length,
-                                          size.number_of_quads, clock, statistics);
-  internal::note_cancelled_pairs(cancelled_pairs, statistics);
-  clock.start(Quad_stage::ASSEMBLY);
-  internal::output_quads(surface, embedding, complex, given_unit, quad_mesh, np);
-  clock.stop();
-  statistics.quality = internal::quality_of(surface, embedding, complex, given_unit);
-  statistics.target_edge_length = target_edge_length * surface.length_unit * given_unit;
-  statistics.seconds = clock.seconds();
-  internal::put_statistics(CGAL::parameters::get_parameter(np, internal::statistics), statistics);
-  return {};
+  const bool is_field_given = false;
+  const auto locate = [&](const internal::Surface_location& location)
+  {
+    const internal::Surface_location given = internal::location_in_given_mesh(given_embedding, cut_mesh, location);
+    return std::make_pair(given_mesh.face_descriptors()[given.face], given.barycentric);
+  };
+  return internal::quads_of_field<Concurrency_tag>(surface, embedding, given_unit, request, options, solver_traits,
+                                                   field, is_field_given, locate, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields

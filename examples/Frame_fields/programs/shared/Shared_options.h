@@ -29,7 +29,7 @@ struct Shared_options
   bool closes_gaps;
   double minimum_chain_length;
   std::string support;
-  double sharp_corner_bound; // degrees
+  double sharp_corner_bound, blunt_corner_bound; // degrees
   CGAL::Frame_fields::Edge_weighting edge_weighting;
   double curvature_weight;
   bool repairs_matching;
@@ -133,6 +133,7 @@ inline Shared_options shared_options_from(const boost::program_options::variable
   options.edge_weighting = edge_weighting_from(variables["edge-weights"].as<std::string>());
   options.curvature_weight = non_negative_option(variables, "curvature-weight");
   options.sharp_corner_bound = angle_option(variables, "sharp-corner-bound", 360);
+  options.blunt_corner_bound = angle_option(variables, "blunt-corner-bound", 360);
   options.repairs_matching = !variables.count("no-repair");
   options.relaxes_orthogonality = !variables.count("no-relaxation");
   options.number_of_threads = threads_option(variables);

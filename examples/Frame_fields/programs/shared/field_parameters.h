@@ -57,6 +57,7 @@ inline auto field_parameters(const Feature_map is_feature, const Shared_options&
   return CGAL::Frame_fields::parameters::edge_is_constrained_map(is_feature)
            .support_strategy(support_strategy_from(options.support))
            .sharp_corner_bound(radians(options.sharp_corner_bound))
+           .blunt_corner_bound(radians(options.blunt_corner_bound))
            .edge_weighting(options.edge_weighting)
            .repair_matching(options.repairs_matching)
            .relax_orthogonality(options.relaxes_orthogonality)

@@ -66,6 +66,8 @@ inline boost::program_options::options_description field_option_descriptions()
      "its index a line; the patches of these vertices then have no other singularities inside\n"
      "(cad_frame_field alone)")
     ("sharp-corner-bound", number_value("DEG", 135, "135"), "sectors of less than DEG degrees are sharp corners")
+    ("blunt-corner-bound", number_value("DEG", 22.5, "22.5"),
+     "other sectors that differ by more than DEG degrees from a straight line are blunt corners; 360 for none")
     ("no-repair", "leave sectors on feature edges at an index of 1/2 or more")
     ("no-relaxation", "keep the crosses orthogonal")
     ("threads", po::value<int>()->value_name("N"), "how many threads to use; all cores by default");

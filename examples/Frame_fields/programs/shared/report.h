@@ -25,6 +25,7 @@ inline Json json_of_shared(const Shared_options& options)
            { "support", options.support },
            { "index_targets", options.index_targets ? Json(*options.index_targets) : Json() },
            { "sharp_corner_bound", options.sharp_corner_bound },
+           { "blunt_corner_bound", options.blunt_corner_bound },
            { "edge_weights",
              options.edge_weighting == CGAL::Frame_fields::Edge_weighting::UNIFORM ? "uniform" : "geometric" },
            { "curvature_weight", options.curvature_weight },

@@ -47,8 +47,13 @@ CGAL_add_named_parameter(coordinate_error_t, coordinate_error, coordinate_error)
 CGAL_add_named_parameter(close_gaps_t, close_gaps, close_gaps)
 CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)
 CGAL_add_named_parameter(number_of_quads_t, number_of_quads, number_of_quads)
+CGAL_add_named_parameter(sizing_t, sizing, sizing_map)
+CGAL_add_named_parameter(fixed_number_of_edges_t, fixed_number_of_edges, number_of_edges_map)
 CGAL_add_named_parameter(output_edge_is_constrained_t, output_edge_is_constrained, output_edge_is_constrained_map)
 CGAL_add_named_parameter(face_to_patch_t, face_to_patch, face_to_patch_map)
+CGAL_add_named_parameter(vertex_to_face_location_t, vertex_to_face_location, vertex_to_face_location_map)
+CGAL_add_named_parameter(fallback_patch_output_iterator_t, fallback_patch_output_iterator,
+                         fallback_patch_output_iterator)
 CGAL_add_named_parameter(uncertified_patch_output_iterator_t, uncertified_patch_output_iterator,
                          uncertified_patch_output_iterator)
 CGAL_add_named_parameter(flip_tolerance_t, flip_tolerance, flip_tolerance)

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
 #include <CGAL/Frame_fields/internal/quads/assemble.h>
 #include <CGAL/Frame_fields/internal/quads/Expected_valence.h>
@@ -73,16 +74,19 @@ inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
 // and the quads may be no mesh any more, or one with other irregular vertices. So each round checks what came out, and
 // raises the bounds of the pieces at fault. Where there are no such integers a patch is filled. Each round does one or
 // the other, and when all patches are filled, all fits.
+//
+// Where an arc must have a wanted number of edges, what else it and the arcs across from it ask for yields. But the
+// number is given up before a patch is.
 class Quad_maker
 {
 public:
   // Empties the T-meshes of the patches that are filled.
   Quad_maker(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
              const Feature_network& features, const Seamless_map& map, std::vector<T_mesh>& t_meshes,
-             const double target_edge_length)
+             const double target_edge_length, const Quad_targets& targets = Quad_targets())
     : m_surface(surface), m_embedding(embedding), m_index(index), m_features(features), m_map(map)
-    , m_t_meshes(t_meshes), m_target_edge_length(target_edge_length), m_valence(surface, embedding, index)
-    , m_walker(surface, embedding)
+    , m_t_meshes(t_meshes), m_target_edge_length(target_edge_length), m_targets(targets)
+    , m_valence(surface, embedding, index), m_walker(surface, embedding), m_ignores_bends(features.arcs.size(), 0)
   {
     for(const T_mesh& t_mesh : t_meshes)
       m_sources.push_back(t_mesh.cells.empty() ? Patch_source::FILLING : Patch_source::T_MESH);
@@ -101,16 +105,17 @@ public:
     m_breakpoints.clear();
     for(const Feature_arc& arc : m_features.arcs)
     {
-      double arc_length = 0;
-      std::vector<int> source_vertex;
+      double arc_length = 0, sized_length = 0;
       for(const int h : arc.halfedges)
       {
         arc_length += m_surface.length[h];
-        source_vertex.push_back(m_embedding.vertex[previous_of(h)]);
+        sized_length += measured_surface().length[h];
       }
-      m_breakpoints.push_back(arc_breakpoints(m_embedding, arc, source_vertex,
-                                              (std::min)(tolerance, part_of_edge_length * arc_length)));
+      m_breakpoints.push_back(arc_breakpoints(m_embedding, arc, source_vertices(arc),
+                                              (std::min)(tolerance * (arc_length / sized_length),
+                                                         part_of_edge_length * arc_length)));
     }
+    m_number_of_edges = m_targets.number_of_edges;
     reset_bounds();
   }
 
@@ -196,8 +201,13 @@ private:
   void reset_bounds()
   {
     m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
+    release_arcs_of_fillings();
+    m_has_fixed_arcs =
+      std::any_of(m_number_of_edges.begin(), m_number_of_edges.end(), [](const int n) { return n > 0; });
+    if(!m_has_fixed_arcs)
+      m_ignores_bends.assign(m_ignores_bends.size(), 0);
     const std::vector<double> edge_length(m_t_meshes.size(), m_target_edge_length);
-    m_layout = t_mesh_network(m_surface, m_features, m_t_meshes, { edge_length, {} });
+    m_layout = t_mesh_network(measured_surface(), m_features, m_t_meshes, { edge_length, m_number_of_edges });
     m_quantizer.reset();
     m_cannot_be_raised.assign(m_layout.network.edges.size(), 0);
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
@@ -210,7 +220,11 @@ private:
       }
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
     {
+      if(is_fixed(a))
+        continue;
       int& bound = m_layout.network.edges[a].lower_bound;
+      if(m_ignores_bends[a])
+        continue;
       const int least_at_bends = static_cast<int>(m_breakpoints[a].size()) + (m_features.arcs[a].is_loop ? 0 : 1);
       bound = (std::max)({ bound, least_at_bends, least_count(m_layout.network.edges[a].target) });
     }
@@ -218,10 +232,12 @@ private:
   }
 
   // The quadratic costs take edges that are much too long for no worse than those that are as much too short. No edge
-  // should be longer than about twice the wanted length.
-  static int least_count(const double target)
+  // should be longer than about twice the wanted length, unless the caller wants few of them somewhere.
+  int least_count(const double target) const
   {
     const double largest_count = 1e8;
+    if(m_has_fixed_arcs)
+      return 0;
     return static_cast<int>((std::min)(largest_count, target / 2));
   }
 
@@ -264,9 +280,15 @@ private:
     reset_bounds();
   }
 
-  // Gives up the T-mesh of a patch, or its filling if it has none.
+  // Gives up the numbers that are wanted on the arcs of a patch; if there are none, its T-mesh; if it has none, its
+  // filling.
   void give_up(const int patch)
   {
+    if(release_arcs_of(patch))
+    {
+      reset_bounds();
+      return;
+    }
     m_t_meshes[patch] = T_mesh();
     m_sources[patch] = m_sources[patch] == Patch_source::T_MESH ? Patch_source::FILLING
                                                                 : Patch_source::SPLIT_TRIANGLES;
@@ -301,9 +323,68 @@ private:
         return;
       std::vector<int> blocked = quantization.unattainable;
       blocked.insert(blocked.end(), quantization.conflicting.begin(), quantization.conflicting.end());
-      if(!lower_raised_bounds(blocked))
+      if(!ignore_bends(blocked) && !release_blocked_arc(blocked) && !lower_raised_bounds(blocked))
         give_up_blocked_patch(blocked);
     }
+  }
+
+  bool is_fixed(const std::size_t arc) const { return !m_number_of_edges.empty() && m_number_of_edges[arc] > 0; }
+
+  // Fillings take even numbers, and split triangles none but their own.
+  void release_arcs_of_fillings()
+  {
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+      for(const Arc_side& side : m_sides[a])
+        if(is_fixed(a) && side.patch >= 0 && m_sources[side.patch] != Patch_source::T_MESH
+           && (m_sources[side.patch] == Patch_source::SPLIT_TRIANGLES || m_number_of_edges[a] % 2 != 0
+               || m_number_of_edges[a] < smallest_even_count(m_embedding, m_features.arcs[a])))
+          m_number_of_edges[a] = 0;
+  }
+
+  bool release_arcs_of(const int patch)
+  {
+    bool is_any_released = false;
+    for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
+      for(const Arc_side& side : m_sides[a])
+        if(is_fixed(a) && side.patch == patch)
+        {
+          m_number_of_edges[a] = 0;
+          is_any_released = true;
+        }
+    return is_any_released;
+  }
+
+  // Where wanted numbers are among the unknowns without a solution, lets arcs there have fewer edges than bends.
+  bool ignore_bends(const std::vector<int>& blocked)
+  {
+    bool is_any_ignored = false;
+    if(m_has_fixed_arcs)
+      for(const int e : blocked)
+        if(e < number_of_arcs() && !is_fixed(e) && !m_ignores_bends[e])
+          m_ignores_bends[e] = is_any_ignored = true;
+    if(is_any_ignored)
+      reset_bounds();
+    return is_any_ignored;
+  }
+
+  // Of the wanted numbers among the unknowns without a solution, gives up the one that is farthest from what the length
+  // of its arc asks for. Returns whether there is one.
+  bool release_blocked_arc(const std::vector<int>& blocked)
+  {
+    int farthest = -1;
+    const auto ratio = [&](const int arc)
+    {
+      const double number = m_number_of_edges[arc], target = (std::max)(1e-3, m_layout.network.edges[arc].target);
+      return (std::max)(number / target, target / number);
+    };
+    for(const int e : blocked)
+      if(e < number_of_arcs() && is_fixed(e) && (farthest < 0 || ratio(e) > ratio(farthest)))
+        farthest = e;
+    if(farthest < 0)
+      return false;
+    m_number_of_edges[farthest] = 0;
+    reset_bounds();
+    return true;
   }
 
   // Lets pieces be empty again that cannot be otherwise. Returns whether there are any.
@@ -387,6 +468,36 @@ private:
     return !find_faults(complex);
   }
 
+  // The breakpoints of each arc, fewer where the arc has not as many vertices.
+  std::vector<std::vector<int> > attainable_breakpoints() const
+  {
+    std::vector<std::vector<int> > result = m_breakpoints;
+    for(std::size_t a = 0; a < result.size(); ++a)
+    {
+      const std::size_t number = m_value[a] - (m_features.arcs[a].is_loop ? 0 : 1);
+      double tolerance = m_arc_tolerance;
+      while(result[a].size() > number)
+      {
+        tolerance *= 2;
+        result[a] = arc_breakpoints(m_embedding, m_features.arcs[a], source_vertices(m_features.arcs[a]), tolerance);
+      }
+    }
+    return result;
+  }
+
+  std::vector<int> source_vertices(const Feature_arc& arc) const
+  {
+    std::vector<int> result;
+    for(const int h : arc.halfedges)
+      result.push_back(m_embedding.vertex[previous_of(h)]);
+    return result;
+  }
+
+  const Cut_surface& measured_surface() const
+  {
+    return m_targets.sized_surface != nullptr ? *m_targets.sized_surface : m_surface;
+  }
+
   Quad_complex assemble(const bool fills)
   {
     std::vector<std::vector<int> > edges_of_piece(m_t_meshes.size());
@@ -396,8 +507,9 @@ private:
       edges_of_piece[patch].assign(first, first + static_cast<std::ptrdiff_t>(m_t_meshes[patch].pieces.size()));
     }
     const std::vector<int> edges_of_arc(m_value.begin(), m_value.begin() + number_of_arcs());
+    const std::vector<std::vector<int> > breakpoints = attainable_breakpoints();
     const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, m_sources, m_sides, edges_of_piece,
-                              edges_of_arc, m_breakpoints };
+                              edges_of_arc, breakpoints };
     Quad_complex complex;
     m_classes = Vertex_classes();
     m_origin.clear();
@@ -411,7 +523,7 @@ private:
         if(m_sources[p] == Patch_source::SPLIT_TRIANGLES)
           split_triangles_of_patch(layout, patch, complex);
         else if(fills && !fill_patch(m_walker, m_surface, m_embedding, m_features, patch, complex.arcs,
-                                     m_target_edge_length, complex))
+                                     edge_length_of(patch), complex))
           m_patches_to_give_up.push_back(patch);
         m_origin.resize(complex.quads.size(), { patch, -1 });
         continue;
@@ -426,6 +538,11 @@ private:
     }
     m_singular_sector.resize(complex.vertices.size(), -1);
     return complex;
+  }
+
+  double edge_length_of(const int patch) const
+  {
+    return m_targets.edge_length.empty() ? m_target_edge_length : m_targets.edge_length[patch];
   }
 
   void note_singular_vertices(const T_mesh& t_mesh, const Patch_assembly& assembly, const Quad_complex& complex)
@@ -574,8 +691,12 @@ private:
   std::vector<T_mesh>& m_t_meshes;
   double m_target_edge_length;
   double m_arc_tolerance = 0;
+  Quad_targets m_targets;
   Expected_valence m_valence;
   Surface_walker m_walker;
+  std::vector<int> m_number_of_edges;           // per arc: what is wanted and not given up, 0 if it is free; or empty
+  bool m_has_fixed_arcs = false;
+  std::vector<char> m_ignores_bends;            // per arc
   std::vector<Patch_source> m_sources;          // per patch
   bool m_forbids_empty_pieces = false;
   int m_round = 0;

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/quads/write_quad_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 #include <CGAL/Frame_fields/parameters.h>
 
@@ -25,6 +26,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -85,6 +87,32 @@ template <typename Map, typename Key, typename Value>
 void put_if_given(const Map map, const Key& key, const Value& value) { put(map, key, value); }
 template <typename Key, typename Value>
 void put_if_given(const CGAL::internal_np::Param_not_found, const Key&, const Value&) {}
+
+// Puts a face of the caller's mesh and the weights of the source of its halfedge, of its target and of the third
+// vertex, as the locations in CGAL's package Polygon Mesh Processing have them.
+template <typename Map, typename Key, typename Locate>
+void put_location(const Map map, const Key& key, const Locate& locate, const Surface_location& location)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  const auto located = locate(location);
+  Value value;
+  value.first = located.first;
+  for(int k = 0; k < 3; ++k)
+    value.second[k] = located.second[(k + 2) % 3];
+  put(map, key, value);
+}
+template <typename Key, typename Locate>
+void put_location(const CGAL::internal_np::Param_not_found, const Key&, const Locate&, const Surface_location&) {}
+
+// Writes the numbers of the patches that were filled.
+template <typename OutputIterator>
+void write_filled_patches(const Quad_statistics& statistics, OutputIterator out)
+{
+  for(std::size_t p = 0; p < statistics.patches.size(); ++p)
+    if(statistics.patches[p].way == Patch_way::FILLING)
+      *out++ = static_cast<int>(p);
+}
+inline void write_filled_patches(const Quad_statistics&, const CGAL::internal_np::Param_not_found) {}
 
 } // namespace internal
 } // namespace Frame_fields

@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/make_sized_quads.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -82,22 +83,25 @@ template <typename StageClock>
 Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                const std::vector<int>& index, const Feature_network& features,
                                const Seamless_map& map, std::vector<T_mesh>& t_meshes,
-                               const double target_edge_length, const double number_of_quads, StageClock& clock,
+                               const Quad_request& request, const Quad_targets& targets, StageClock& clock,
                                std::vector<char>& is_filled)
 {
   const int maximum_number_of_refinements = 6;
   Smoothing_options options;
+  double least_edge_length = request.edge_length;
+  for(const double edge_length : targets.edge_length)
+    least_edge_length = (std::min)(least_edge_length, edge_length);
   options.may_release_bends = false;
-  Quad_maker maker(surface, embedding, index, features, map, t_meshes, target_edge_length);
+  Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
   Quad_complex complex;
   std::size_t least_number_of_inverted = 0;
   for(int refinement = 0; ; ++refinement)
   {
     clock.start(Quad_stage::QUANTIZATION);
-    Quad_complex next = refinement > 0        ? maker.make()
-                        : number_of_quads > 0 ? make_quads_of_number(maker, number_of_quads)
-                                              : make_quads_along_arcs(maker);
-    options.arc_tolerance = maker.arc_tolerance();
+    Quad_complex next = refinement > 0                ? maker.make()
+                        : request.number_of_quads > 0 ? make_quads_of_number(maker, request.number_of_quads)
+                                                      : make_quads_along_arcs(maker);
+    options.arc_tolerance = maker.arc_tolerance() * (least_edge_length / request.edge_length);
     std::vector<char> is_next_filled;
     for(const T_mesh& t_mesh : t_meshes)
       is_next_filled.push_back(t_mesh.cells.empty());
@@ -126,17 +130,35 @@ Quad_complex make_smooth_quads(const Cut_surface& surface, const Surface_embeddi
   return complex;
 }
 
-// All stages behind the map, with lengths in the unit of `Cut_surface::length`. `number_of_quads` is 0 if none is
-// wanted.
+// The arcs whose wanted number of edges was given up.
+inline std::size_t number_of_unmet_edge_numbers(const Quad_complex& complex, const std::vector<int>& number_of_edges)
+{
+  std::size_t result = 0;
+  for(std::size_t a = 0; a < number_of_edges.size(); ++a)
+    result += number_of_edges[a] > 0
+           && static_cast<int>(complex.arcs[a].size()) - (complex.is_loop[a] ? 0 : 1) != number_of_edges[a];
+  return result;
+}
+
+// All stages behind the map, with lengths in the unit of `Cut_surface::length`. `number_of_edges` is what is wanted of
+// the arcs, or empty.
 template <typename ConcurrencyTag, typename StageClock>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
-                        const Seamless_map& map, const std::vector<char>& is_marked_vertex,
-                        const double target_edge_length, const double number_of_quads, StageClock& clock,
-                        Quad_statistics& statistics)
+                        const Seamless_map& map, const Feature_network& features, const Quad_request& request,
+                        const std::vector<int>& number_of_edges, StageClock& clock, Quad_statistics& statistics)
 {
   clock.start(Quad_stage::T_MESH);
-  const std::vector<char> is_node = feature_nodes(surface, embedding, index, is_marked_vertex);
-  const Feature_network features = make_feature_network(surface, embedding, is_node);
+  const std::vector<char>& is_node = features.is_node;
+  Cut_surface surface_with_sizes;
+  Quad_targets targets;
+  targets.number_of_edges = number_of_edges;
+  if(!request.density.empty())
+  {
+    surface_with_sizes = sized_surface(surface, embedding, request.density);
+    targets.sized_surface = &surface_with_sizes;
+    targets.edge_length = edge_length_of_patches(surface, embedding, request);
+  }
+  const Cut_surface& measured_surface = request.density.empty() ? surface : surface_with_sizes;
   std::vector<char> is_arc_node(surface.number_of_sectors(), 0);
   for(int s = 0; s < surface.number_of_sectors(); ++s)
     is_arc_node[s] = surface.is_constrained_sector(s) && is_node[embedding.vertex[surface.first_corner[s]]];
@@ -144,7 +166,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   std::vector<T_mesh_status> t_mesh_status(surface.patches.size());
   for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
   {
-    T_mesh_result result = make_T_mesh(surface, surface.patches[patch], index, map, is_arc_node);
+    T_mesh_result result = make_T_mesh(measured_surface, measured_surface.patches[patch], index, map, is_arc_node);
     t_meshes[patch] = std::move(result.mesh);
     t_mesh_status[patch] = result.status;
     return Patch_result();
@@ -152,11 +174,12 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
 
   std::vector<char> is_filled;
   const Quad_complex complex = make_smooth_quads(surface, embedding, index, features, map, t_meshes,
-                                                 target_edge_length, number_of_quads, clock, is_filled);
+                                                 request, targets, clock, is_filled);
 
   statistics.number_of_patches = surface.patches.size();
   statistics.number_of_arcs = features.arcs.size();
   statistics.number_of_nodes = static_cast<std::size_t>(std::count(is_node.begin(), is_node.end(), char(1)));
+  statistics.number_of_unmet_edge_numbers = number_of_unmet_edge_numbers(complex, number_of_edges);
   statistics.number_of_quads = complex.quads.size();
   statistics.patches.resize(surface.patches.size());
   for(std::size_t p = 0; p < surface.patches.size(); ++p)

@@ -17,8 +17,10 @@
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
@@ -29,6 +31,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -78,12 +81,17 @@ Result check_quad_size(const NamedParameters&, const Quad_size& size)
 }
 
 // Refuses quads so small that their numbers do not fit into 32-bit indices. Lengths are in the unit of the surface.
-inline Result check_number_of_quads(const Cut_surface& surface, const double target_edge_length)
+// Quads and their vertices must have numbers of the type int.
+inline double largest_number_of_quads() { return (std::numeric_limits<int>::max)() / 16.; }
+
+inline Result check_number_of_quads(const Cut_surface& surface, const Surface_embedding& embedding,
+                                    const Quad_request& request)
 {
-  const double largest_number = (std::numeric_limits<int>::max)() / 16.;
+  const double largest_number = largest_number_of_quads(), target_edge_length = request.edge_length;
   double length = 0;
-  for(const double edge_length : surface.length)
-    length += edge_length;
+  for(int h = 0; h < surface.number_of_halfedges(); ++h)
+    length += surface.length[h] * (std::max)(density_at(embedding, request.density, h),
+                                             density_at(embedding, request.density, previous_of(h)));
   const double number = surface_area(surface) / target_edge_length / target_edge_length;
   if(number <= largest_number && length / target_edge_length <= largest_number)
     return {};
@@ -103,6 +111,16 @@ inline double target_edge_length_of(const Quad_size& size, const Cut_surface& su
   return sum / static_cast<double>(surface.length.size());
 }
 
+inline std::string text_of_edge(const Surface_embedding& embedding, const int halfedge, const double unit)
+{
+  const auto text = [&](const int h)
+  {
+    const Coordinates& p = embedding.point[embedding.vertex[h]];
+    return to_text({ unit * p[0], unit * p[1], unit * p[2] });
+  };
+  return "the edge from " + text(previous_of(halfedge)) + " to " + text(halfedge);
+}
+
 inline void note_cancelled_pairs(const std::vector<int>& cancelled_pairs, Quad_statistics& statistics)
 {
   for(std::size_t p = 0; p < cancelled_pairs.size(); ++p)
@@ -114,15 +132,17 @@ inline void note_cancelled_pairs(const std::vector<int>& cancelled_pairs, Quad_s
 
 // Adds the quads to the caller's mesh and writes the maps of its elements. `unit` is that of the points of `embedding`
 // and the surface together.
-template <typename QuadMesh, typename NamedParameters>
+// `locate(l)` is the face of the caller's mesh that a location is in, and its coordinates there.
+template <typename Locate, typename QuadMesh, typename NamedParameters>
 void output_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_complex& complex,
-                  const double unit, QuadMesh& quad_mesh, const NamedParameters& np)
+                  const double unit, const Locate& locate, QuadMesh& quad_mesh, const NamedParameters& np)
 {
   typedef typename boost::property_map<QuadMesh, CGAL::vertex_point_t>::type Point_map;
   typedef typename boost::property_traits<Point_map>::value_type Point;
   const Point_map points = get(CGAL::vertex_point, quad_mesh);
   const auto is_constrained = CGAL::parameters::get_parameter(np, internal::output_edge_is_constrained);
   const auto patch_of_face = CGAL::parameters::get_parameter(np, internal::face_to_patch);
+  const auto location_of_vertex = CGAL::parameters::get_parameter(np, internal::vertex_to_face_location);
 
   const Quad_connectivity connectivity = connect_quads(complex);
   const std::vector<char> is_on_arc = sides_on_arcs(complex);
@@ -131,6 +151,7 @@ void output_quads(const Cut_surface& surface, const Surface_embedding& embedding
   {
     const Coordinates p = point_of(surface, embedding, complex.vertices[v]);
     put(points, written.vertices[v], Point(unit * p[0], unit * p[1], unit * p[2]));
+    put_location(location_of_vertex, written.vertices[v], locate, complex.vertices[v].location);
   }
   for(std::size_t q = 0; q < complex.quads.size(); ++q)
     put_if_given(patch_of_face, written.faces[q], complex.patch[q]);

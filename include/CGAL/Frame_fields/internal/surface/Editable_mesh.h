@@ -21,6 +21,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -29,12 +30,20 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// A mesh may want to know where its new elements come from: vertices between those of a face, with their weights, and
+// faces that are split off another one.
+template <typename Mesh, typename Vertex>
+void note_vertex(Mesh&, const Vertex&, const std::array<Vertex, 3>&, const std::array<double, 3>&) {}
+template <typename Mesh, typename Face>
+void note_face(Mesh&, const Face&, const Face&) {}
+
 // A mesh that is about to be refined, with the maps that must follow.
 template <typename TriangleMesh, typename NamedParameters>
 class Editable_mesh : public Mesh_reader<TriangleMesh, NamedParameters>
 {
 public:
   typedef Mesh_reader<TriangleMesh, NamedParameters> Reader;
+  typedef typename Reader::Graph_traits Graph_traits;
   typedef typename Reader::vertex_descriptor vertex_descriptor;
   typedef typename Reader::halfedge_descriptor halfedge_descriptor;
   typedef typename Reader::Point_3 Point_3;
@@ -83,6 +92,10 @@ public:
       m_traits.construct_midpoint_3_object()(point(source(h, m_mesh)), point(target(h, m_mesh)));
     const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, m_mesh);
     set_point(target(to_midpoint, m_mesh), midpoint);
+    note_vertex(m_mesh, target(to_midpoint, m_mesh),
+                std::array<vertex_descriptor, 3>{ source(to_midpoint, m_mesh), target(h, m_mesh),
+                                                  Graph_traits::null_vertex() },
+                std::array<double, 3>{ 0.5, 0.5, 0 });
     mark_unconstrained(to_midpoint);
     mark_unconstrained(h);
     split_face(to_midpoint);
@@ -93,7 +106,12 @@ private:
   // Joins the vertex at the target of `to_midpoint` to the opposite one of a face with four of them.
   void split_face(const halfedge_descriptor to_midpoint) const
   {
-    mark_unconstrained(CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, m_mesh), m_mesh), m_mesh));
+    const auto whole = face(to_midpoint, m_mesh);
+    const halfedge_descriptor h =
+      CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, m_mesh), m_mesh), m_mesh);
+    mark_unconstrained(h);
+    note_face(m_mesh, face(h, m_mesh), whole);
+    note_face(m_mesh, face(opposite(h, m_mesh), m_mesh), whole);
   }
 
   template <typename Mesh>

@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 
+#include <CGAL/Frame_fields/internal/surface/Refinement_origin.h>
+
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>
@@ -22,6 +24,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iostream>
 #include <memory>
@@ -128,6 +131,8 @@ public:
     m_previous[next.value] = h;
   }
 
+  Refinement_origin& origin() { return m_origin; }
+  const Refinement_origin& origin() const { return m_origin; }
   std::vector<Point>& points() { return m_point; }
   const std::vector<Point>& points() const { return m_point; }
   std::vector<char>& constrained_edges() { return m_is_constrained; }
@@ -139,6 +144,7 @@ private:
   std::vector<Face> m_face;
   std::vector<Point> m_point;
   std::vector<char> m_is_constrained; // per edge
+  Refinement_origin m_origin;
 };
 
 // The functions of the concept.
@@ -252,6 +258,17 @@ inline void set_halfedge(const Working_mesh::Face f, const Working_mesh::Halfedg
 inline void reserve(Working_mesh& m, const std::size_t vertices, const std::size_t edges, const std::size_t faces)
 {
   m.reserve(vertices, edges, faces);
+}
+
+// What `Editable_mesh` tells of its changes.
+inline void note_vertex(Working_mesh& m, const Working_mesh::Vertex v, const std::array<Working_mesh::Vertex, 3>& ends,
+                        const std::array<double, 3>& weights)
+{
+  m.origin().add_vertex(v.value, { ends[0].value, ends[1].value, ends[2].value }, weights);
+}
+inline void note_face(Working_mesh& m, const Working_mesh::Face f, const Working_mesh::Face other)
+{
+  m.origin().add_face(f.value, other.value);
 }
 
 // Values by the number of their element, in an array that the map refers to or shares. What was never put is `Value()`.

@@ -18,6 +18,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,13 +27,17 @@ namespace Frame_fields {
 namespace internal {
 
 // A point inside the triangle: its centroid, or on a degenerate triangle whose centroid is a vertex some other point.
+// `weights` gets those of the vertices.
 template <typename Point, typename GeomTraits>
-Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTraits traits)
+Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTraits traits,
+                   std::array<double, 3>& weights)
 {
   const Point centroid = traits.construct_centroid_3_object()(p, q, r);
+  weights = { 1. / 3, 1. / 3, 1. / 3 };
   if(centroid != p && centroid != q && centroid != r)
     return centroid;
   // That vertex is the midpoint of the two others, which no combination with three different weights gives.
+  weights = { 1. / 2, 1. / 3, 1. / 6 };
   return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
 }
 
@@ -41,6 +46,7 @@ template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_faces_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
   // One halfedge of each face, kept apart from the changing face range.
   std::vector<halfedge_descriptor> overconstrained;
@@ -54,14 +60,19 @@ std::size_t split_faces_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, N
   mesh.reserve_for(overconstrained.size(), 3 * overconstrained.size(), 2 * overconstrained.size());
   for(const halfedge_descriptor h : overconstrained)
   {
-    const auto center = point_inside(mesh.point(source(h, tm)), mesh.point(target(h, tm)),
-                                               mesh.point(target(next(h, tm), tm)), mesh.traits());
+    const std::array<vertex_descriptor, 3> corners{ source(h, tm), target(h, tm), target(next(h, tm), tm) };
+    const auto whole = face(h, tm);
+    std::array<double, 3> weights;
+    const auto center = point_inside(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]),
+                                     mesh.traits(), weights);
     const halfedge_descriptor to_center = CGAL::Euler::add_center_vertex(h, tm);
     mesh.set_point(target(to_center, tm), center);
+    note_vertex(tm, target(to_center, tm), corners, weights);
     halfedge_descriptor spoke = to_center;
     do
     {
       mesh.mark_unconstrained(spoke);
+      note_face(tm, face(spoke, tm), whole);
       spoke = opposite(next(spoke, tm), tm);
     } while(spoke != to_center);
   }

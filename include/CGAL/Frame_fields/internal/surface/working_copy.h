@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -23,15 +24,10 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A copy of a cut mesh, in the length unit of the surface, that may be refined. Face f of the copy is face f of the
-// surface.
-inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embedding& embedding)
+// The halfedges of the copy that the halfedges of a surface become. They get numbers in pairs, those of the border a
+// partner without face.
+inline std::vector<int> halfedges_of_copy(const Cut_surface& surface, const Surface_embedding& embedding)
 {
-  typedef Working_mesh::Vertex Vertex;
-  typedef Working_mesh::Halfedge Halfedge;
-  typedef Working_mesh::Face Face;
-
-  // The halfedges of the surface get numbers in pairs, those of the border a partner without face.
   std::vector<int> number(surface.number_of_halfedges(), -1);
   int number_of_edges = 0;
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
@@ -41,9 +37,23 @@ inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embed
       if(embedding.twin[h] >= 0)
         number[embedding.twin[h]] = number[h] + 1;
     }
+  return number;
+}
+
+// A copy of a cut mesh, in the length unit of the surface, that may be refined. Face f of the copy is face f of the
+// surface, vertex v is vertex v of the embedding.
+inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embedding& embedding)
+{
+  typedef Working_mesh::Vertex Vertex;
+  typedef Working_mesh::Halfedge Halfedge;
+  typedef Working_mesh::Face Face;
+
+  const std::vector<int> number = halfedges_of_copy(surface, embedding);
+  const int number_of_edges = number.empty() ? 0 : *std::max_element(number.begin(), number.end()) / 2 + 1;
 
   Working_mesh mesh;
   mesh.resize(static_cast<int>(embedding.point.size()), number_of_edges, surface.number_of_faces());
+  mesh.origin().start(static_cast<int>(embedding.point.size()), surface.number_of_faces());
   for(std::size_t v = 0; v < embedding.point.size(); ++v)
     mesh.points()[v] = Working_mesh::Point(embedding.point[v][0], embedding.point[v][1], embedding.point[v][2]);
   for(int h = 0; h < surface.number_of_halfedges(); ++h)

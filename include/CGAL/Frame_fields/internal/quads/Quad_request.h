@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_REQUEST_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_REQUEST_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// What the caller asks of the quads, on the surface that gets them.
+struct Quad_request
+{
+  double edge_length = 0;           // in the unit of `Cut_surface::length`
+  double number_of_quads = 0;       // about how many there should be, 0 if the length alone counts
+  std::vector<double> density;      // per vertex: `edge_length` over the length wanted there; empty if it is 1
+  std::vector<int> number_of_edges; // per halfedge: the number wanted on its arc, 0 if it is free; empty if all are
+  std::vector<char> is_node;        // per vertex: whether arcs must end there; empty if none must
+};
+
+// What the numbers of edges are chosen by, besides the length of edges. Empty is what is the same everywhere.
+struct Quad_targets
+{
+  const Cut_surface* sized_surface = nullptr; // with the lengths of `sized_surface()`
+  std::vector<double> edge_length;            // per patch, in the unit of `Cut_surface::length`
+  std::vector<int> number_of_edges;           // per arc: the number wanted, 0 if it is free
+};
+
+inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
+{
+  return density.empty() ? 1 : density[embedding.vertex[halfedge]];
+}
+
+// The density of a face, that is linear between its vertices, on average.
+inline double mean_density(const Surface_embedding& embedding, const std::vector<double>& density, const int face)
+{
+  double sum = 0;
+  for(int h = 3 * face; h < 3 * face + 3; ++h)
+    sum += density_at(embedding, density, h);
+  return sum / 3;
+}
+
+inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, const Surface_embedding& embedding,
+                                                const Quad_request& request)
+{
+  std::vector<double> result(surface.number_of_faces(), request.edge_length);
+  if(!request.density.empty())
+    for(int f = 0; f < surface.number_of_faces(); ++f)
+      result[f] /= mean_density(embedding, request.density, f);
+  return result;
+}
+
+// The surface with the integral of the density along each edge in the place of its length.
+inline Cut_surface sized_surface(const Cut_surface& surface, const Surface_embedding& embedding,
+                                 const std::vector<double>& density)
+{
+  Cut_surface result = surface;
+  for(int h = 0; h < surface.number_of_halfedges(); ++h)
+    result.length[h] *= (density_at(embedding, density, h) + density_at(embedding, density, previous_of(h))) / 2;
+  return result;
+}
+
+// How many quads of the wanted size cover some faces, over how many cover as large an area at the density 1.
+inline double mean_squared_density(const Cut_surface& surface, const Surface_embedding& embedding,
+                                   const std::vector<double>& density, const Index_range& faces)
+{
+  double sum = 0, weighted_sum = 0;
+  for(int f = faces.begin_index; f < faces.end_index; ++f)
+  {
+    const double face_density = mean_density(embedding, density, f), face_area = area(surface, f);
+    sum += face_area;
+    weighted_sum += face_area * face_density * face_density;
+  }
+  if(sum > 0 && weighted_sum > 0)
+    return weighted_sum / sum;
+  const double first_density = mean_density(embedding, density, faces.begin_index);
+  return first_density * first_density;
+}
+
+// Per patch: the length of the edges of as many quads of the same size.
+inline std::vector<double> edge_length_of_patches(const Cut_surface& surface, const Surface_embedding& embedding,
+                                                  const Quad_request& request)
+{
+  std::vector<double> result;
+  for(const Patch& patch : surface.patches)
+    result.push_back(request.edge_length
+                     / std::sqrt(mean_squared_density(surface, embedding, request.density, patch.faces)));
+  return result;
+}
+
+// Reads the numbers that are wanted of arcs. Returns a halfedge that wants another number than one before it on its
+// arc, or a closed arc to have less than three edges; -1 if there is none.
+inline int read_numbers_of_arcs(const Quad_request& request, const Feature_network& features,
+                                std::vector<int>& number_of_edges)
+{
+  if(request.number_of_edges.empty())
+    return -1;
+  number_of_edges.assign(features.arcs.size(), 0);
+  for(std::size_t h = 0; h < request.number_of_edges.size(); ++h)
+  {
+    const int wanted = request.number_of_edges[h], arc = features.arc[h];
+    if(wanted == 0 || arc < 0)
+      continue;
+    if((number_of_edges[arc] != 0 && number_of_edges[arc] != wanted) || (features.arcs[arc].is_loop && wanted < 3))
+      return static_cast<int>(h);
+    number_of_edges[arc] = wanted;
+  }
+  return -1;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_REQUEST_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUADS_OF_FIELD_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUADS_OF_FIELD_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/Quad_statistics.h>
+#include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
+#include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/make_quads.h>
+#include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// What is made of a field.
+struct Made_quads
+{
+  Quad_complex complex;
+  Quad_statistics statistics;
+};
+
+// From a field to quads by maps that have the given lengths, per face. Of a field that is given, there are no
+// statistics; `unit` is what the caller's lengths are divided by before they get to the surface.
+template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
+Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
+                           const Quad_request& request, const std::vector<double>& target_length,
+                           const Options& options, const SolverTraits& solver_traits, Frame_field& field,
+                           const bool is_field_given, StageClock& clock, Made_quads& made)
+{
+  clock.start(Quad_stage::SEAMLESS_MAP);
+  Seamless_map map;
+  const std::vector<int> cancelled_pairs = compute_seamless_map_and_repair_field<ConcurrencyTag>(
+    surface, options, target_length, solver_traits, field, map);
+
+  const Feature_network features = make_feature_network(
+    surface, embedding, feature_nodes(surface, embedding, field.index, request.is_node));
+  std::vector<int> number_of_edges;
+  if(const int h = read_numbers_of_arcs(request, features, number_of_edges); h >= 0)
+    return failure(ERROR_WRONG_PARAMETER,
+                   "number_of_edges_map is " + std::to_string(request.number_of_edges[h]) + " on "
+                   + text_of_edge(embedding, h, surface.length_unit * unit)
+                   + ", but another number on the same curve, or less than 3 on a closed one without node");
+
+  if(!is_field_given)
+    write_statistics(surface, options, field, No_stage_clock(), made.statistics.field);
+  made.complex = make_quads<ConcurrencyTag>(surface, embedding, field.index, map, features, request, number_of_edges,
+                                            clock, made.statistics);
+  clock.stop();
+  note_cancelled_pairs(cancelled_pairs, made.statistics);
+  made.statistics.quality = quality_of(surface, embedding, made.complex, unit);
+  return {};
+}
+
+// From a field to quads in the caller's mesh; `locate` is as for `output_quads()`.
+template <typename ConcurrencyTag, typename SolverTraits, typename StageClock, typename Locate, typename QuadMesh,
+          typename NamedParameters>
+Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
+                      const Quad_request& request, const Options& options, const SolverTraits& solver_traits,
+                      Frame_field& field, const bool is_field_given, const Locate& locate, StageClock& clock,
+                      QuadMesh& quad_mesh, const NamedParameters& np)
+{
+  const auto make = [&](const std::vector<double>& target_length, Frame_field& used_field, Made_quads& made)
+  {
+    return make_quads_of_field<ConcurrencyTag>(surface, embedding, unit, request, target_length, options, solver_traits,
+                                               used_field, is_field_given, clock, made);
+  };
+  const bool has_sizes = !request.density.empty();
+  Frame_field copied_field;
+  if(has_sizes)
+    copied_field = field;
+  Made_quads made;
+  if(const Result result = make(edge_length_of_faces(surface, embedding, request), field, made); !result)
+    return result;
+  if(has_sizes && made.statistics.quality.number_of_inverted_quads > 0)
+  {
+    // Maps of one size have rounder cells. The sizes still tell how many edges these get.
+    Made_quads other;
+    const std::vector<double> one_length(surface.number_of_faces(), request.edge_length);
+    const Result result = make(one_length, copied_field, other);
+    if(result && other.statistics.quality.number_of_inverted_quads < made.statistics.quality.number_of_inverted_quads)
+      made = std::move(other);
+  }
+
+  clock.start(Quad_stage::ASSEMBLY);
+  output_quads(surface, embedding, made.complex, unit, locate, quad_mesh, np);
+  clock.stop();
+  made.statistics.target_edge_length = request.edge_length * surface.length_unit * unit;
+  made.statistics.seconds = clock.seconds();
+  write_filled_patches(made.statistics,
+                       CGAL::parameters::get_parameter(np, internal::fallback_patch_output_iterator));
+  put_statistics(CGAL::parameters::get_parameter(np, internal::statistics), made.statistics);
+  return {};
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUADS_OF_FIELD_H

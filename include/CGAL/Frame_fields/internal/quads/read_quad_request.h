@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_READ_QUAD_REQUEST_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_READ_QUAD_REQUEST_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/maps/read_guidance.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Reads the named parameters about single elements that the functions that make quads have.
+
+// One halfedge that ends at each vertex of an embedding.
+inline std::vector<int> halfedges_of_vertices(const Surface_embedding& embedding)
+{
+  std::vector<int> result(embedding.point.size(), -1);
+  for(std::size_t h = 0; h < embedding.vertex.size(); ++h)
+    if(int& first = result[embedding.vertex[h]]; first < 0)
+      first = static_cast<int>(h);
+  return result;
+}
+
+template <typename CutMesh, typename Visit>
+Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embedding, const Visit& visit)
+{
+  for(const int h : halfedges_of_vertices(embedding))
+    if(const Result result = visit(target(cut_mesh.halfedge_of(h), cut_mesh.mesh()), embedding.vertex[h]); !result)
+      return result;
+  return {};
+}
+
+// Reads the lengths wanted at the vertices. Their unit becomes the length that as many quads would have if all were of
+// the same size, or the one that follows from the number of quads.
+template <typename CutMesh, typename SizingMap>
+Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, const SizingMap sizing,
+                  const Quad_size& size, Quad_request& request)
+{
+  const Cut_surface& surface = cut_mesh.surface();
+  request.density.assign(embedding.point.size(), 1);
+  double largest = 0;
+  const Result result = for_each_vertex(cut_mesh, embedding, [&](const auto v, const int number) -> Result
+  {
+    const double length = static_cast<double>(get(sizing, v)) / surface.length_unit;
+    request.density[number] = 1 / length;
+    largest = (std::max)(largest, 1 / length);
+    if(length > 0 && std::isfinite(length) && std::isfinite(1 / length))
+      return {};
+    return failure(ERROR_WRONG_PARAMETER, "sizing_map is not a positive finite number at the vertex at "
+                                          + to_text(cut_mesh.coordinates(v)));
+  });
+  if(!result)
+    return result;
+  for(double& density : request.density)
+    density /= largest;
+  const double squared_density = mean_squared_density(surface, embedding, request.density,
+                                                      { 0, surface.number_of_faces() });
+  request.edge_length = 1 / (largest * std::sqrt(squared_density));
+  for(double& density : request.density)
+    density /= std::sqrt(squared_density);
+  if(size.number_of_quads > 0)
+    request.edge_length = std::sqrt(surface_area(surface) / size.number_of_quads);
+  return {};
+}
+
+template <typename CutMesh, typename NumberMap>
+Result read_numbers_of_edges(const CutMesh& cut_mesh, const Surface_embedding& embedding, const NumberMap numbers,
+                             Quad_request& request)
+{
+  const Cut_surface& surface = cut_mesh.surface();
+  const double largest = largest_number_of_quads();
+  // Quads in a strip across from an edge, if the surface were a square.
+  const double other_side = std::sqrt(surface_area(surface)) / request.edge_length;
+  request.number_of_edges.assign(surface.number_of_halfedges(), 0);
+  for(int h = 0; h < surface.number_of_halfedges(); ++h)
+  {
+    if(!surface.is_constrained(h))
+      continue;
+    const int number = get(numbers, edge(cut_mesh.halfedge_of(h), cut_mesh.mesh()));
+    if(number < 0 || number * (number + other_side) > largest)
+      return failure(ERROR_WRONG_PARAMETER, "number_of_edges_map is " + std::to_string(number) + " on "
+                                            + text_of_edge(embedding, h, surface.length_unit));
+    request.number_of_edges[h] = number;
+  }
+  return {};
+}
+
+template <typename CutMesh, typename NamedParameters>
+Result read_quad_request(const CutMesh& cut_mesh, const Surface_embedding& embedding, const NamedParameters& np,
+                         const Quad_size& size, Quad_request& request)
+{
+  using CGAL::parameters::get_parameter;
+  const Cut_surface& surface = cut_mesh.surface();
+  request.edge_length = target_edge_length_of(size, surface);
+  request.number_of_quads = size.number_of_quads;
+  Result result;
+  if constexpr(is_given<NamedParameters, internal::sizing_t>)
+    result = read_sizes(cut_mesh, embedding, get_parameter(np, internal::sizing), size, request);
+  if(result)
+    result = check_number_of_quads(surface, embedding, request);
+  if constexpr(is_given<NamedParameters, internal::fixed_number_of_edges_t>)
+    if(result)
+      result = read_numbers_of_edges(cut_mesh, embedding, get_parameter(np, internal::fixed_number_of_edges), request);
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>)
+  {
+    const std::vector<int> halfedges = halfedges_of_vertices(embedding);
+    for(const int h : halfedges)
+      request.is_node.push_back(get(get_parameter(np, CGAL::internal_np::vertex_is_constrained),
+                                    target(cut_mesh.halfedge_of(h), cut_mesh.mesh())) ? 1 : 0);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_READ_QUAD_REQUEST_H

@@ -1,0 +1,389 @@
+// What callers ask of single elements of a quad mesh, and quads of given fields.
+
+#include "random_models.h"
+#include "test_cad_mesh.h"
+
+#include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/prepare_for_frame_field.h>
+#include <CGAL/Frame_fields/quad_mesh.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+
+typedef boost::graph_traits<Surface_mesh> Graph_traits;
+typedef std::pair<Graph_traits::face_descriptor, std::array<double, 3> > Location;
+
+// By points, so that they serve a mesh and its refinements.
+struct Wishes
+{
+  std::function<double(const Point&)> length = [](const Point&) { return 0.25; };
+  std::function<int(const Point&)> number = [](const Point&) { return 0; }; // of a curve, by the middles of edges
+  std::function<bool(const Point&)> is_node = [](const Point&) { return false; };
+  bool repairs = true;
+};
+
+struct Quads
+{
+  FF::Result result;
+  FF::Quad_statistics statistics;
+  Surface_mesh mesh;
+  std::vector<bool> is_on_feature;   // per edge
+  std::vector<Location> locations;   // per vertex
+  std::vector<int> fallback_patches;
+};
+
+Point middle(const Surface_mesh& mesh, const Graph_traits::edge_descriptor e)
+{
+  return CGAL::midpoint(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
+}
+
+// `make(quad_mesh, np)` is called with all named parameters that the two functions have.
+template <typename Make>
+Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, const Make& make)
+{
+  const Surface_mesh& mesh = cad_mesh.mesh;
+  const auto length = boost::make_function_property_map<Graph_traits::vertex_descriptor, double>(
+    [&](const auto v) { return wishes.length(mesh.point(v)); });
+  const auto is_node = boost::make_function_property_map<Graph_traits::vertex_descriptor, bool>(
+    [&](const auto v) { return wishes.is_node(mesh.point(v)); });
+  const auto number = boost::make_function_property_map<Graph_traits::edge_descriptor, int>(
+    [&](const auto e) { return wishes.number(middle(mesh, e)); });
+  Quads quads;
+  const auto is_on_feature = get(CGAL::dynamic_edge_property_t<bool>(), quads.mesh);
+  const auto location = get(CGAL::dynamic_vertex_property_t<Location>(), quads.mesh);
+  quads.result = make(quads.mesh, cad_mesh.features().sizing_map(length).vertex_is_constrained_map(is_node)
+                                    .number_of_edges_map(number).repair_matching(wishes.repairs)
+                                    .output_edge_is_constrained_map(is_on_feature)
+                                    .vertex_to_face_location_map(location)
+                                    .fallback_patch_output_iterator(std::back_inserter(quads.fallback_patches))
+                                    .statistics(std::ref(quads.statistics)));
+  for(const auto e : edges(quads.mesh))
+    quads.is_on_feature.push_back(get(is_on_feature, e));
+  for(const auto v : vertices(quads.mesh))
+    quads.locations.push_back(get(location, v));
+  return quads;
+}
+
+Quads quads_of(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes = Wishes())
+{
+  const Quads quads = quads_with(cad_mesh, wishes, [&](Surface_mesh& quad_mesh, const auto& np)
+                                 { return FF::cad_quad_mesh(cad_mesh.mesh, quad_mesh, np); });
+  if(quads.result)
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(quads.mesh));
+  return quads;
+}
+
+template <typename Maps>
+Quads quads_of_field(const Cad_mesh<Surface_mesh>& cad_mesh, const Maps& maps, const Wishes& wishes = Wishes())
+{
+  return quads_with(cad_mesh, wishes, [&](Surface_mesh& quad_mesh, const auto& np)
+                    { return FF::quad_mesh(cad_mesh.mesh, maps.alpha, maps.rho, maps.matching, maps.index, quad_mesh,
+                                           np); });
+}
+
+void expect_same(const Surface_mesh& expected, const Surface_mesh& actual)
+{
+  ASSERT_EQ(num_vertices(expected), num_vertices(actual));
+  ASSERT_EQ(num_faces(expected), num_faces(actual));
+  for(const auto v : vertices(expected))
+    ASSERT_EQ(expected.point(v), actual.point(v));
+  for(const auto h : halfedges(expected))
+    ASSERT_EQ(target(h, expected), target(h, actual));
+}
+
+// Around the hole, the outer border rises by a step that no map can have.
+Model ring_with_step()
+{
+  Polyline border, hole;
+  for(int i = 0; i <= 24; ++i)
+  {
+    const double angle = 15 * degree * i, radius = 2 + 0.6 * i / 24;
+    border.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+    if(i < 24)
+      hole.push_back({ std::cos(angle), std::sin(angle) });
+  }
+  return planar(border, 0.3, {}, { hole });
+}
+
+Model square_of_side_4() { return planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.5); }
+
+struct Prepared_field
+{
+  explicit Prepared_field(const Model& model) : cad_mesh(model, false), prepared(prepare(cad_mesh)), maps(cad_mesh.mesh)
+  {
+    EXPECT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
+                                    cad_mesh.features().matching_map(maps.matching)));
+  }
+
+  static bool prepare(Cad_mesh<Surface_mesh>& cad_mesh)
+  {
+    EXPECT_TRUE(FF::prepare_for_frame_field(cad_mesh.mesh, cad_mesh.features()));
+    return true;
+  }
+
+  Cad_mesh<Surface_mesh> cad_mesh;
+  bool prepared;
+  Maps<Surface_mesh> maps;
+};
+
+TEST(Quads_of_a_field, are_those_of_the_whole_pipeline_on_a_prepared_mesh)
+{
+  for(const Model& model : { cube(), quilt(), torus(), random_gear(1), ring_with_step() })
+  {
+    const Prepared_field field(model);
+    for(const bool repairs : { true, false })
+    {
+      Wishes wishes;
+      wishes.repairs = repairs;
+      const Quads expected = quads_of(field.cad_mesh, wishes);
+      const Quads quads = quads_of_field(field.cad_mesh, field.maps, wishes);
+      ASSERT_TRUE(expected.result && quads.result) << quads.result.message;
+      expect_same(expected.mesh, quads.mesh);
+      EXPECT_EQ(expected.locations, quads.locations);
+      EXPECT_EQ(expected.fallback_patches, quads.fallback_patches);
+      EXPECT_EQ(expected.statistics.number_of_repaired_patches, quads.statistics.number_of_repaired_patches);
+    }
+  }
+}
+
+TEST(Quads_of_a_field, are_not_made_of_a_wrong_one)
+{
+  const Prepared_field field(cube());
+  const Surface_mesh& mesh = field.cad_mesh.mesh;
+  const auto expect_error = [&](const FF::Error_code error_code)
+  {
+    const Quads quads = quads_of_field(field.cad_mesh, field.maps);
+    EXPECT_EQ(error_code, quads.result.error_code) << quads.result.message;
+    EXPECT_EQ(error_code == FF::OK, num_vertices(quads.mesh) > 0);
+  };
+  const auto h = *halfedges(mesh).begin();
+  const auto f = *faces(mesh).begin();
+  expect_error(FF::OK);
+  put(field.maps.index, h, get(field.maps.index, h) + 4);
+  for(const auto other : halfedges(mesh))
+    put(field.maps.index, other, get(field.maps.index, h));
+  expect_error(FF::ERROR_WRONG_FIELD);
+  const double alpha = get(field.maps.alpha, f);
+  put(field.maps.alpha, f, std::nan(""));
+  expect_error(FF::ERROR_WRONG_FIELD);
+  put(field.maps.alpha, f, alpha);
+  put(field.maps.rho, f, 2.);
+  expect_error(FF::ERROR_WRONG_FIELD);
+}
+
+// The point of a location by the corners of its face.
+Point point_of(const Surface_mesh& mesh, const Location& location)
+{
+  const auto h = halfedge(location.first, mesh);
+  return CGAL::barycenter(mesh.point(source(h, mesh)), location.second[0], mesh.point(target(h, mesh)),
+                          location.second[1], mesh.point(target(next(h, mesh), mesh)), location.second[2]);
+}
+
+// The cube and the polyhedron have faces that are split.
+TEST(Locations, are_on_the_mesh_of_the_caller)
+{
+  for(const Model& model : { cube(), quilt(), tetrahedron(), random_gear(1), random_star_shaped_polyhedron(2) })
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const Quads quads = quads_of(cad_mesh);
+    ASSERT_TRUE(quads.result) << quads.result.message;
+    for(const auto v : vertices(quads.mesh))
+    {
+      const Location& location = quads.locations[v];
+      for(const double coordinate : location.second)
+        EXPECT_GE(coordinate, -1e-12);
+      EXPECT_NEAR(1, location.second[0] + location.second[1] + location.second[2], 1e-12);
+      EXPECT_LT(CGAL::squared_distance(quads.mesh.point(v), point_of(cad_mesh.mesh, location)), 1e-20);
+    }
+  }
+}
+
+// The numbers of edges of the result on the features whose middles fulfil a predicate.
+template <typename Predicate>
+int number_of_edges_where(const Quads& quads, const Predicate& predicate)
+{
+  int result = 0;
+  for(const auto e : edges(quads.mesh))
+    result += quads.is_on_feature[e.idx()] && predicate(middle(quads.mesh, e));
+  return result;
+}
+
+TEST(Sizes, of_the_same_length_are_that_length)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Surface_mesh expected;
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, expected, cad_mesh.features().target_edge_length(0.25)));
+  const Quads quads = quads_of(cad_mesh);
+  expect_same(expected, quads.mesh);
+  EXPECT_EQ(0.25, quads.statistics.target_edge_length);
+}
+
+// Ten times as fine on the left as on the right, where opposite sides must have the same numbers.
+TEST(Sizes, are_followed)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);
+  Wishes wishes;
+  wishes.length = [](const Point& p) { return 0.05 + 0.45 * p.x() / 4; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+
+  const auto is_bottom = [](const Point& p) { return std::abs(p.y()) < 1e-9; };
+  const double integral = std::log(10.) / (0.45 / 4); // of 1 / length along the bottom
+  EXPECT_NEAR(integral, number_of_edges_where(quads, is_bottom), 1);
+  for(const auto e : edges(quads.mesh))
+    if(is_bottom(middle(quads.mesh, e)))
+    {
+      const double length = std::abs(quads.mesh.point(source(e, quads.mesh)).x()
+                                     - quads.mesh.point(target(e, quads.mesh)).x());
+      const double ratio = length / wishes.length(middle(quads.mesh, e));
+      EXPECT_GT(ratio, 0.5);
+      EXPECT_LT(ratio, 2);
+    }
+  for(const auto f : faces(quads.mesh))
+  {
+    double area = 0;
+    Point center(0, 0, 0);
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, quads.mesh), quads.mesh))
+    {
+      const Point p = quads.mesh.point(source(h, quads.mesh)), q = quads.mesh.point(target(h, quads.mesh));
+      area += (p.x() * q.y() - p.y() * q.x()) / 2;
+      center = center + (p - CGAL::ORIGIN) / 4;
+    }
+    EXPECT_GT(std::sqrt(area), wishes.length(center) / 3);
+    EXPECT_LT(std::sqrt(area), wishes.length(center) * 2);
+  }
+}
+
+TEST(Sizes, must_be_positive)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
+  for(const double wrong : { 0., -1., std::nan(""), std::numeric_limits<double>::infinity(), 1e-320 })
+  {
+    Wishes wishes;
+    wishes.length = [&](const Point& p) { return p.x() > 0.5 ? wrong : 1; };
+    const Quads quads = quads_of(cad_mesh, wishes);
+    EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, quads.result.error_code);
+    EXPECT_NE(std::string::npos, quads.result.message.find("sizing_map")) << quads.result.message;
+  }
+}
+
+TEST(Numbers_of_edges, are_met)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);
+  const auto is_bottom = [](const Point& p) { return std::abs(p.y()) < 1e-9; };
+  const auto is_left = [](const Point& p) { return std::abs(p.x()) < 1e-9; };
+  for(const std::array<int, 2>& wanted : { std::array<int, 2>{ 1, 40 }, std::array<int, 2>{ 7, 0 } })
+  {
+    Wishes wishes;
+    wishes.number = [&](const Point& p) { return is_bottom(p) ? wanted[0] : is_left(p) ? wanted[1] : 0; };
+    const Quads quads = quads_of(cad_mesh, wishes);
+    ASSERT_TRUE(quads.result) << quads.result.message;
+    EXPECT_EQ(wanted[0], number_of_edges_where(quads, is_bottom));
+    EXPECT_EQ(wanted[1] > 0 ? wanted[1] : 16, number_of_edges_where(quads, is_left));
+    EXPECT_EQ(0u, quads.statistics.number_of_unmet_edge_numbers);
+    EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+  }
+}
+
+// Opposite sides of a square have the same number: one of two that differ is given up, the one that is farther from the
+// 16 edges that the length asks for.
+TEST(Numbers_of_edges, that_contradict_one_another_are_given_up)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);
+  const auto is_bottom = [](const Point& p) { return std::abs(p.y()) < 1e-9; };
+  const auto is_top = [](const Point& p) { return std::abs(p.y() - 4) < 1e-9; };
+  Wishes wishes;
+  wishes.number = [&](const Point& p) { return is_bottom(p) ? 12 : is_top(p) ? 40 : 0; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  EXPECT_EQ(12, number_of_edges_where(quads, is_bottom));
+  EXPECT_EQ(12, number_of_edges_where(quads, is_top));
+  EXPECT_EQ(1u, quads.statistics.number_of_unmet_edge_numbers);
+  EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+}
+
+TEST(Numbers_of_edges, that_no_curve_can_have_are_errors)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false), tube(open_cylinder(), false);
+  const auto expect_error = [](const Cad_mesh<Surface_mesh>& mesh, const std::function<int(const Point&)>& number,
+                               const std::string& text)
+  {
+    Wishes wishes;
+    wishes.number = number;
+    const Quads quads = quads_of(mesh, wishes);
+    EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, quads.result.error_code);
+    EXPECT_NE(std::string::npos, quads.result.message.find(text)) << quads.result.message;
+    EXPECT_EQ(0u, num_vertices(quads.mesh));
+  };
+  expect_error(cad_mesh, [](const Point& p) { return p.y() > 0 ? 0 : p.x() < 1 ? 5 : p.x() > 3 ? 6 : 0; },
+               "the edge from (");
+  expect_error(cad_mesh, [](const Point&) { return -1; }, "is -1 on the edge from (");
+  expect_error(cad_mesh, [](const Point&) { return 1000000000; }, "is 1000000000 on the edge");
+  expect_error(tube, [](const Point&) { return 2; }, "is 2 on the edge");
+}
+
+// A closed curve of less edges than it has bends.
+TEST(Numbers_of_edges, may_be_less_than_the_bends)
+{
+  const Cad_mesh<Surface_mesh> tube(open_cylinder(), false);
+  Wishes wishes;
+  wishes.number = [](const Point&) { return 5; };
+  const Quads quads = quads_of(tube, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  EXPECT_EQ(0u, quads.statistics.number_of_unmet_edge_numbers);
+  EXPECT_EQ(10, number_of_edges_where(quads, [](const Point&) { return true; }));
+}
+
+// A filled patch takes even numbers.
+TEST(Numbers_of_edges, that_are_odd_are_given_up_at_filled_patches)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(ring_with_step(), false);
+  const auto is_hole = [](const Point& p) { return (p - CGAL::ORIGIN).squared_length() < 1.5; };
+  for(const int wanted : { 29, 30 })
+  {
+    Wishes wishes;
+    wishes.repairs = false;
+    wishes.number = [&](const Point& p) { return is_hole(p) ? wanted : 0; };
+    const Quads quads = quads_of(cad_mesh, wishes);
+    ASSERT_TRUE(quads.result) << quads.result.message;
+    EXPECT_EQ(std::vector<int>{ 0 }, quads.fallback_patches);
+    EXPECT_EQ(wanted == 30 ? 0u : 1u, quads.statistics.number_of_unmet_edge_numbers);
+    EXPECT_EQ(wanted == 30, number_of_edges_where(quads, is_hole) == wanted);
+  }
+}
+
+TEST(Nodes, are_vertices)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);
+  std::set<Point> nodes;
+  for(const auto v : vertices(cad_mesh.mesh))
+    if(cad_mesh.mesh.is_border(v) && cad_mesh.mesh.point(v).y() == 0 && nodes.size() < 5)
+      nodes.insert(cad_mesh.mesh.point(v));
+  Wishes wishes;
+  wishes.length = [](const Point&) { return 1.1; };
+  wishes.is_node = [&](const Point& p) { return nodes.count(p) > 0; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  for(const auto v : vertices(quads.mesh))
+    nodes.erase(quads.mesh.point(v));
+  EXPECT_TRUE(nodes.empty());
+}
+
+} // namespace
