@@ -121,8 +121,12 @@ struct Cad_mesh : Mesh_of_model<MeshType>
     for(const auto e : edges(mesh))
       put(is_feature, e, segments.count(segment(point(source(e, mesh)), point(target(e, mesh)))) > 0);
     if constexpr(Base::is_editable)
+    {
       if(splits_overconstrained_faces)
+      {
         EXPECT_TRUE(FF::split_overconstrained_faces(mesh, features()));
+      }
+    }
   }
 
   Cad_mesh(const Cad_mesh&) = delete;
