@@ -3,6 +3,7 @@
 #include "random_models.h"
 #include "test_cad_mesh.h"
 
+#include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/quad_mesh.h>
@@ -11,6 +12,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -36,6 +38,10 @@ struct Wishes
   std::function<int(const Point&)> number = [](const Point&) { return 0; }; // of a curve, by the middles of edges
   std::function<bool(const Point&)> is_node = [](const Point&) { return false; };
   bool repairs = true;
+  // By the middles of faces.
+  std::function<Vector(const Point&)> direction = [](const Point&) { return Vector(0, 0, 0); };
+  std::function<double(const Point&)> weight = [](const Point&) { return 0; };
+  std::function<int(const Point&)> index = [](const Point&) { return FF::NO_INDEX_TARGET; };
 };
 
 struct Quads
@@ -53,6 +59,25 @@ Point middle(const Surface_mesh& mesh, const Graph_traits::edge_descriptor e)
   return CGAL::midpoint(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
 }
 
+Point middle(const Surface_mesh& mesh, const Graph_traits::face_descriptor f)
+{
+  const auto h = halfedge(f, mesh);
+  return CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                        mesh.point(target(next(h, mesh), mesh)));
+}
+
+auto with_guidance(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes)
+{
+  const Surface_mesh& mesh = cad_mesh.mesh;
+  return cad_mesh.features().guiding_direction_map(
+      boost::make_function_property_map<Graph_traits::face_descriptor, Vector>(
+        [&](const auto f) { return wishes.direction(middle(mesh, f)); }))
+    .guiding_weight_map(boost::make_function_property_map<Graph_traits::face_descriptor, double>(
+        [&](const auto f) { return wishes.weight(middle(mesh, f)); }))
+    .index_target_map(boost::make_function_property_map<Graph_traits::halfedge_descriptor, int>(
+        [&](const auto h) { return wishes.index(mesh.point(target(h, mesh))); }));
+}
+
 // `make(quad_mesh, np)` is called with all named parameters that the two functions have.
 template <typename Make>
 Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, const Make& make)
@@ -67,7 +92,8 @@ Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, c
   Quads quads;
   const auto is_on_feature = get(CGAL::dynamic_edge_property_t<bool>(), quads.mesh);
   const auto location = get(CGAL::dynamic_vertex_property_t<Location>(), quads.mesh);
-  quads.result = make(quads.mesh, cad_mesh.features().sizing_map(length).vertex_is_constrained_map(is_node)
+  quads.result = make(quads.mesh, with_guidance(cad_mesh, wishes)
+                                    .sizing_map(length).vertex_is_constrained_map(is_node)
                                     .number_of_edges_map(number).repair_matching(wishes.repairs)
                                     .output_edge_is_constrained_map(is_on_feature)
                                     .vertex_to_face_location_map(location)
@@ -125,10 +151,11 @@ Model square_of_side_4() { return planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 
 
 struct Prepared_field
 {
-  explicit Prepared_field(const Model& model) : cad_mesh(model, false), prepared(prepare(cad_mesh)), maps(cad_mesh.mesh)
+  explicit Prepared_field(const Model& model, const Wishes& wishes = Wishes())
+    : cad_mesh(model, false), prepared(prepare(cad_mesh)), maps(cad_mesh.mesh)
   {
     EXPECT_TRUE(FF::cad_frame_field(cad_mesh.mesh, maps.alpha, maps.rho, maps.index,
-                                    cad_mesh.features().matching_map(maps.matching)));
+                                    with_guidance(cad_mesh, wishes).matching_map(maps.matching)));
   }
 
   static bool prepare(Cad_mesh<Surface_mesh>& cad_mesh)
@@ -367,6 +394,57 @@ TEST(Numbers_of_edges, that_are_odd_are_given_up_at_filled_patches)
     EXPECT_EQ(wanted == 30 ? 0u : 1u, quads.statistics.number_of_unmet_edge_numbers);
     EXPECT_EQ(wanted == 30, number_of_edges_where(quads, is_hole) == wanted);
   }
+}
+
+Wishes guided()
+{
+  Wishes wishes;
+  wishes.direction = [](const Point&) { return Vector(std::cos(30 * degree), std::sin(30 * degree), 0); };
+  wishes.weight = [](const Point& p)
+  {
+    const double distance = CGAL::squared_distance(p, Point(2, 2, 0));
+    return distance < 0.1 ? std::numeric_limits<double>::infinity() : distance < 1 ? 1. : 0.;
+  };
+  return wishes;
+}
+
+TEST(Guidance, is_that_of_the_field_on_a_prepared_mesh)
+{
+  const Prepared_field field(square_of_side_4(), guided());
+  const Quads expected = quads_of_field(field.cad_mesh, field.maps, guided());
+  const Quads quads = quads_of(field.cad_mesh, guided()), unguided = quads_of(field.cad_mesh);
+  ASSERT_TRUE(expected.result && quads.result) << expected.result.message << quads.result.message;
+  expect_same(expected.mesh, quads.mesh);
+  bool is_other = num_vertices(unguided.mesh) != num_vertices(quads.mesh);
+  for(const auto v : vertices(quads.mesh))
+    is_other = is_other || unguided.mesh.point(v) != quads.mesh.point(v);
+  EXPECT_TRUE(is_other);
+}
+
+// On a mesh that is not prepared.
+TEST(Index_targets, become_valences)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);
+  const auto nearest = [&](const Point& p)
+  {
+    Point result = cad_mesh.mesh.point(*vertices(cad_mesh.mesh).begin());
+    for(const auto v : vertices(cad_mesh.mesh))
+      if(CGAL::squared_distance(cad_mesh.mesh.point(v), p) < CGAL::squared_distance(result, p))
+        result = cad_mesh.mesh.point(v);
+    return result;
+  };
+  const Point positive = nearest(Point(1, 2, 0)), negative = nearest(Point(3, 2, 0));
+  Wishes wishes;
+  wishes.index = [&](const Point& p) { return p == positive ? 1 : p == negative ? -1 : FF::NO_INDEX_TARGET; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+  std::vector<std::size_t> valences;
+  for(const auto v : vertices(quads.mesh))
+    if(!quads.mesh.is_border(v) && quads.mesh.degree(v) != 4)
+      valences.push_back(quads.mesh.degree(v));
+  std::sort(valences.begin(), valences.end());
+  EXPECT_EQ((std::vector<std::size_t>{ 3, 5 }), valences);
 }
 
 TEST(Nodes, are_vertices)

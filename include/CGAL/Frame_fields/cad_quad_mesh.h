@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/carry_guidance.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
@@ -71,7 +72,8 @@ vertices are on them.
 \param tm the mesh: manifold, oriented, with or without border, of any genus and any number of components
 \param quad_mesh gets the quads, in addition to what it has
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, and those of
-       `cad_frame_field()` but its output parameters, the guiding directions and the index targets
+       `cad_frame_field()` but its output parameters. Where a face is split in the copy, its parts get its guiding
+       direction.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
@@ -239,9 +241,10 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   internal::Stage_mesh<internal::Working_mesh, Prepared_pack> stage_mesh(mesh, prepared);
   if(const Result result = stage_mesh.cut(options); !result)
     return result;
-  const auto& cut_mesh = stage_mesh.cut_mesh();
+  auto& cut_mesh = stage_mesh.cut_mesh();
   const internal::Cut_surface& surface = cut_mesh.surface();
   const internal::Surface_embedding embedding = internal::embed(cut_mesh);
+  internal::Guidance_carrier(given_mesh, given_embedding, cut_mesh).run();
   const internal::Quad_request request =
     internal::carry_to_copy(given_request, given_mesh.surface(), given_embedding, cut_mesh, embedding);
 

@@ -67,6 +67,7 @@ public:
     return result ? read_guidance_and_targets(m_cut_mesh, m_np, m_traits) : result;
   }
 
+  Cut_mesh<Triangle_mesh>& cut_mesh() { return m_cut_mesh; }
   const Cut_mesh<Triangle_mesh>& cut_mesh() const { return m_cut_mesh; }
   const Geom_traits& traits() const { return m_traits; }
 

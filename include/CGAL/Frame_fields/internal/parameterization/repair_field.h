@@ -22,6 +22,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/index_target.h>
 
 #include <CGAL/tags.h>
 
@@ -62,12 +63,13 @@ public:
     , m_field(field), m_map(map)
   {}
 
-  // Per patch: how many pairs of indices it lost.
+  // Per patch: how many pairs of indices it lost. One whose indices the caller wants keeps them.
   std::vector<int> run()
   {
     std::vector<int> result(m_surface.patches.size(), 0);
     for(std::size_t p = 0; p < result.size(); ++p)
-      if(m_map.status[p] == Map_status::FORCED_ZERO_SIDE || m_map.status[p] == Map_status::ONE_PAIR_ON_TORUS)
+      if((m_map.status[p] == Map_status::FORCED_ZERO_SIDE || m_map.status[p] == Map_status::ONE_PAIR_ON_TORUS)
+         && !has_index_targets(m_surface, m_surface.patches[p]))
         result[p] = repair(static_cast<int>(p));
     return result;
   }

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -62,12 +63,13 @@ Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, c
 {
   const Cut_surface& surface = cut_mesh.surface();
   request.density.assign(embedding.point.size(), 1);
-  double largest = 0;
+  double largest = 0, smallest = (std::numeric_limits<double>::max)();
   const Result result = for_each_vertex(cut_mesh, embedding, [&](const auto v, const int number) -> Result
   {
     const double length = static_cast<double>(get(sizing, v)) / surface.length_unit;
     request.density[number] = 1 / length;
     largest = (std::max)(largest, 1 / length);
+    smallest = (std::min)(smallest, 1 / length);
     if(length > 0 && std::isfinite(length) && std::isfinite(1 / length))
       return {};
     return failure(ERROR_WRONG_PARAMETER, "sizing_map is not a positive finite number at the vertex at "
@@ -75,6 +77,8 @@ Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, c
   });
   if(!result)
     return result;
+  if(smallest == largest)
+    request.density.clear();
   for(double& density : request.density)
     density /= largest;
   const double squared_density = mean_squared_density(surface, embedding, request.density,

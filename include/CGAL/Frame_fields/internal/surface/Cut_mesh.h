@@ -115,6 +115,18 @@ public:
     return has_direction ? std::atan2(y, x) : std::numeric_limits<double>::quiet_NaN();
   }
 
+  // The vector of length 1 in the plane of a face at an angle from its first halfedge.
+  Coordinates vector_in_face(const int face, const double angle) const
+  {
+    const halfedge_descriptor h = halfedge(m_faces[face], mesh());
+    const Face_basis basis = face_basis(coordinates(source(h, mesh())), coordinates(target(h, mesh())),
+                                        coordinates(target(next(h, mesh()), mesh())));
+    Coordinates result;
+    for(int k = 0; k < 3; ++k)
+      result[k] = std::cos(angle) * basis[0][k] + std::sin(angle) * basis[1][k];
+    return result;
+  }
+
 private:
   const TriangleMesh* m_mesh = nullptr;
   Points m_points;
