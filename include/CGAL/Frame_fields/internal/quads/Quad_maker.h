@@ -123,6 +123,8 @@ public:
   void scale_edge_lengths(const double factor)
   {
     m_target_edge_length *= factor;
+    for(double& edge_length : m_targets.edge_length)
+      edge_length *= factor;
     follow_arcs_within(part_of_edge_length * m_target_edge_length);
   }
 
@@ -475,7 +477,7 @@ private:
     for(std::size_t a = 0; a < result.size(); ++a)
     {
       const std::size_t number = m_value[a] - (m_features.arcs[a].is_loop ? 0 : 1);
-      double tolerance = m_arc_tolerance;
+      double tolerance = part_of_edge_length * m_target_edge_length;
       while(result[a].size() > number)
       {
         tolerance *= 2;

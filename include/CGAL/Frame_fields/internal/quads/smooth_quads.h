@@ -36,7 +36,7 @@ namespace internal {
 
 struct Smoothing_options
 {
-  int number_of_sweeps = 20;                // of all vertices by the distortion
+  int number_of_sweeps = 40;                // of all vertices by the distortion
   int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
   bool untangles = true;                    // whether inverted quads are turned together with the quads around them
   bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
