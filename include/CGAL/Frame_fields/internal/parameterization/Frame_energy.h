@@ -154,8 +154,9 @@ public:
     for(const Map_elements::Face& face : m_elements.faces())
       for(int k = 0; k < 3; ++k)
       {
-        on_coordinates[2 * face.vertex[k]] += m_elements.weight(face) * face.gradient[k].x;
-        on_coordinates[2 * face.vertex[k] + 1] += m_elements.weight(face) * face.gradient[k].y;
+        const int u = 2 * face.vertex[k];
+        on_coordinates[u] += m_elements.weight(face) * face.gradient[k].x;
+        on_coordinates[u + 1] += m_elements.weight(face) * face.gradient[k].y;
       }
     for(const Map_elements::Side& side : m_elements.sides())
     {

@@ -66,7 +66,7 @@ private:
   {
     for(int end = 0; end < 2; ++end)
       if(m_network.edges[e].node[end] >= 0)
-        m_sum[m_network.edges[e].node[end]] += m_network.edges[e].sign[end] * amount;
+        m_sum[m_network.edges[e].node[end]] += static_cast<long long>(m_network.edges[e].sign[end]) * amount;
   }
 
   // Who comes to the copy 2 n + 1 of a node n has added 1 to its sum, who comes to 2 n has taken 1 away.

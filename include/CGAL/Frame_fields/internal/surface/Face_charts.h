@@ -115,7 +115,8 @@ public:
 
   double area(const int face) const
   {
-    return triangle_area(length(3 * face), length(3 * face + 1), m_surface.angle[3 * face]);
+    const int h = 3 * face;
+    return triangle_area(length(h), length(h + 1), m_surface.angle[h]);
   }
 
   double total_area() const

@@ -29,7 +29,8 @@ inline double triangle_area(const double length, const double other_length, cons
 // In squares of the surface's length unit.
 inline double area(const Cut_surface& surface, const int face)
 {
-  return triangle_area(surface.length[3 * face], surface.length[3 * face + 1], surface.angle[3 * face]);
+  const int h = 3 * face;
+  return triangle_area(surface.length[h], surface.length[h + 1], surface.angle[h]);
 }
 
 inline double patch_area(const Cut_surface& surface, const Patch& patch)
