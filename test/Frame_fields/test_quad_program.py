@@ -191,7 +191,7 @@ class QuadInvalidInput(QuadProgramTest):
         self.write("wrong.feat", "0 1\n0 8\n")
         for message, arguments in (
                 ("missing.off: there is no such file", "missing.off -o out.obj"),
-                ("empty.off: the file is empty", "empty.off -o out.obj"),
+                ("empty.off: byte 0: the file is empty", "empty.off -o out.obj"),
                 ("cut.off: ", "cut.off -o out.obj"),
                 ("wrong.feat:2: the model has no vertex 8", "cube.off --features wrong.feat -o out.obj"),
                 ("lost/out.obj: there is no folder", "cube.off -o lost/out.obj --report out.json")):
