@@ -1,5 +1,6 @@
 #include "test_quad_surface.h"
 
+#include <CGAL/Frame_fields/internal/quads/Arc_points.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -268,6 +270,25 @@ TEST(Quad_filling, even_counts_of_any_size_at_any_positions)
       for(std::size_t v = 0; v < before.vertices.size(); ++v)
         EXPECT_EQ(before.vertices[v].position, complex.vertices[v].position);
     }
+}
+
+// Per arc of the network: the even number of edges at which they are about as long as `edge_length`; 0 for arcs that
+// are not on the patch. Any other even numbers that are not below the smallest one will do as well.
+std::vector<int> even_counts_of_patch(const Cut_surface& surface, const Surface_embedding& embedding,
+                                      const Feature_network& network, const Patch& patch, const double edge_length)
+{
+  std::vector<int> counts(network.arcs.size(), 0);
+  const Arc_points arc_points(embedding, network);
+  const double largest = 1 << 24;
+  for(int h = 3 * patch.faces.begin_index; h < 3 * patch.faces.end_index; ++h)
+  {
+    const int arc = surface.is_constrained(h) ? network.arc[h] : -1;
+    if(arc >= 0 && counts[arc] == 0)
+      counts[arc] = (std::max)(smallest_even_count(embedding, network.arcs[arc]),
+                               2 * static_cast<int>((std::min)(largest, std::round(arc_points.length(arc)
+                                                                                   / (2 * edge_length)))));
+  }
+  return counts;
 }
 
 TEST(Quad_filling, quads_of_the_wanted_size_are_good_after_smoothing)

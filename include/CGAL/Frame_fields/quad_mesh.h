@@ -101,6 +101,8 @@ unless `repair_matching` is `false`.
     \cgalParamDescription{about how many quads there should be, in place of `target_edge_length`}
     \cgalParamType{a number, at least 1}
     \cgalParamDefault{it follows from `target_edge_length`}
+    \cgalParamExtra{The number is met within about 2 percent, unless features are too close together for so few. Each
+                    correction of the edge length, six at most, solves the integer program anew.}
   \cgalParamNEnd
   \cgalParamNBegin{sizing_map}
     \cgalParamDescription{the length that the edges of the quads should have near each vertex, in place of

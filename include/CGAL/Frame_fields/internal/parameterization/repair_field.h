@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Frame_fields authors
 
-
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_REPAIR_FIELD_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_REPAIR_FIELD_H
 
@@ -28,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -67,10 +67,15 @@ public:
   std::vector<int> run()
   {
     std::vector<int> result(m_surface.patches.size(), 0);
+    std::optional<Cut_surface> part; // a copy, with one patch at a time
     for(std::size_t p = 0; p < result.size(); ++p)
       if((m_map.status[p] == Map_status::FORCED_ZERO_SIDE || m_map.status[p] == Map_status::ONE_PAIR_ON_TORUS)
          && !has_index_targets(m_surface, m_surface.patches[p]))
-        result[p] = repair(static_cast<int>(p));
+      {
+        if(!part)
+          part = m_surface;
+        result[p] = repair(static_cast<int>(p), *part);
+      }
     return result;
   }
 
@@ -82,9 +87,8 @@ private:
     void start(Stage) const {}
   };
 
-  int repair(const int number)
+  int repair(const int number, Cut_surface& part)
   {
-    Cut_surface part = m_surface;
     part.patches.assign(1, m_surface.patches[number]);
     part.index_target.assign(m_surface.number_of_sectors(), NO_INDEX_TARGET);
     Frame_field field = m_field;

@@ -13,7 +13,6 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_FILL_PATCH_H
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
-#include <CGAL/Frame_fields/internal/quads/Arc_points.h>
 #include <CGAL/Frame_fields/internal/quads/Patch_remesher.h>
 #include <CGAL/Frame_fields/internal/quads/Patch_triangulation.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
@@ -45,26 +44,6 @@ inline int smallest_even_count(const Surface_embedding& embedding, const Feature
   const bool is_closed = arc.is_loop || embedding.vertex[previous_of(arc.halfedges.front())]
                                           == embedding.vertex[arc.halfedges.back()];
   return is_closed ? 4 : 2;
-}
-
-// Per arc of the network: the even number of edges at which they are about as long as `edge_length`; 0 for arcs that
-// are not on the patch. Any other even numbers that are not below the smallest one will do as well.
-inline std::vector<int> even_counts_of_patch(const Cut_surface& surface, const Surface_embedding& embedding,
-                                             const Feature_network& network, const Patch& patch,
-                                             const double edge_length)
-{
-  std::vector<int> counts(network.arcs.size(), 0);
-  const Arc_points arc_points(embedding, network);
-  const double largest = 1 << 24;
-  for(int h = 3 * patch.faces.begin_index; h < 3 * patch.faces.end_index; ++h)
-  {
-    const int arc = surface.is_constrained(h) ? network.arc[h] : -1;
-    if(arc >= 0 && counts[arc] == 0)
-      counts[arc] = (std::max)(smallest_even_count(embedding, network.arcs[arc]),
-                               2 * static_cast<int>((std::min)(largest, std::round(arc_points.length(arc)
-                                                                                   / (2 * edge_length)))));
-  }
-  return counts;
 }
 
 // For each halfedge between two triangles that become one quad: true. The best quads are taken first.

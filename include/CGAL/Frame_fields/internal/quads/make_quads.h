@@ -43,12 +43,12 @@ inline const char* reason_of(const Map_status status)
 {
   switch(status)
   {
-    case Map_status::CERTIFIED:        return "";
-    case Map_status::FORCED_ZERO_SIDE: return "the field forces a feature edge to length zero";
-    case Map_status::SOLVER_FAILED:    return "the linear system of the map could not be solved";
-    case Map_status::INVERTED_FACE:    return "a face of the map is inverted";
-    case Map_status::REVERSED_EDGE:    return "a feature edge of the map runs backward";
-    case Map_status::WRONG_CONE:       return "a sector of the map does not have the angle of its index";
+    case Map_status::CERTIFIED:         return "";
+    case Map_status::FORCED_ZERO_SIDE:  return "the field forces a feature edge to length zero";
+    case Map_status::SOLVER_FAILED:     return "the linear system of the map could not be solved";
+    case Map_status::INVERTED_FACE:     return "a face of the map is inverted";
+    case Map_status::REVERSED_EDGE:     return "a feature edge of the map runs backward";
+    case Map_status::WRONG_CONE:        return "a sector of the map does not have the angle of its index";
     case Map_status::ONE_PAIR_ON_TORUS: return "a torus with one pair of irregular vertices has no map";
   }
   return "";

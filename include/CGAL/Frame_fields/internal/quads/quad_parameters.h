@@ -80,10 +80,10 @@ Result check_quad_size(const NamedParameters&, const Quad_size& size)
   return {};
 }
 
-// Refuses quads so small that their numbers do not fit into 32-bit indices. Lengths are in the unit of the surface.
 // Quads and their vertices must have numbers of the type int.
 inline double largest_number_of_quads() { return (std::numeric_limits<int>::max)() / 16.; }
 
+// Refuses quads so small that there would be more. Lengths are in the unit of the surface.
 inline Result check_number_of_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                     const Quad_request& request)
 {
