@@ -42,6 +42,7 @@ struct Smoothing_options
   bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
   double arc_tolerance = 0;                 // by how much sides may leave arcs there
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
+  double passable = 0.05;                   // the same in the first sweeps: thin strips widen through worse shapes
   double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
 };
 
@@ -69,16 +70,18 @@ class Distortion_sweeps
 {
 public:
   // Only the given vertices move.
-  Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices, const double good_enough)
-    : m_quads(quads), m_vertices(vertices), m_good_enough(good_enough), m_last_move(quads.number_of_vertices(), 0)
+  Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices)
+    : m_quads(quads), m_vertices(vertices), m_last_move(quads.number_of_vertices(), 0)
   {}
 
-  void run(const int number_of_sweeps)
+  void run(const int number_of_sweeps, const double good_enough)
   {
+    ++m_sweep; // so that all vertices may move
+    std::fill(m_last_move.begin(), m_last_move.end(), m_sweep);
     for(int i = 0; i < number_of_sweeps; ++i)
     {
       ++m_sweep;
-      m_acceptable = (std::max)(m_good_enough, m_quads.worst());
+      m_acceptable = (std::max)(good_enough, m_quads.worst());
       int number_of_moves = 0;
       for(const Sliding_quads::Freedom freedom : { Sliding_quads::ON_ARC, Sliding_quads::IN_PATCH })
         for(const int v : m_vertices)
@@ -106,12 +109,13 @@ private:
   bool improve(const int vertex)
   {
     const int maximum_number_of_halvings = 3;
+    const double over_relaxation = 1.3;
     const bool is_on_arc = m_quads.freedom(vertex) == Sliding_quads::ON_ARC;
     const Quad_shape old_shape = m_quads.shape_around(vertex);
     const double old_length = m_quads.arc_order().length(vertex);
     const double length_step = is_on_arc ? length_of_least_distortion(m_quads, vertex) - old_length : 0;
     const Coordinates step = is_on_arc ? Coordinates{ 0, 0, 0 } : step_inside(m_quads, vertex);
-    double part = 1;
+    double part = over_relaxation;
     for(int i = 0; i <= maximum_number_of_halvings; ++i, part /= 2)
     {
       Slide slide;
@@ -152,7 +156,6 @@ private:
 
   Sliding_quads& m_quads;
   const std::vector<int>& m_vertices;
-  double m_good_enough;
   double m_acceptable = 0;
   int m_sweep = 0;
   std::vector<int> m_last_move; // per vertex: the sweep
@@ -162,9 +165,9 @@ private:
 inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
                         const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
-  Distortion_sweeps sweeps(quads, vertices, options.good_enough);
+  Distortion_sweeps sweeps(quads, vertices);
   bool may_untangle = options.untangles && untangle_quads(quads, is_patch_left_out);
-  sweeps.run(options.number_of_sweeps);
+  sweeps.run(options.number_of_sweeps, options.passable);
   for(int round = 0; round < options.number_of_rounds; ++round)
   {
     if(options.may_release_bends)
@@ -172,7 +175,7 @@ inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertic
         may_untangle |= quads.release(v);
     may_untangle = may_untangle && untangle_quads(quads, is_patch_left_out);
     const bool has_improved = improve_worst_quads(quads, vertices, options.bad);
-    sweeps.run(options.number_of_sweeps / 2);
+    sweeps.run(options.number_of_sweeps / 2, options.good_enough);
     if(!may_untangle && !has_improved)
       break;
   }
