@@ -12,7 +12,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
-#include <CGAL/Frame_fields/internal/quads/assemble.h>
+#include <CGAL/Frame_fields/internal/quads/Patch_assembly.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>

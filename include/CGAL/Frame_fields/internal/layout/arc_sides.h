@@ -36,9 +36,10 @@ struct Arc_side
 // Per arc, first the side of the halfedges that the arc lists, then that of their twins.
 typedef std::vector<std::array<Arc_side, 2> > Arc_sides;
 
-inline bool is_of_first_side(const Feature_network& network, const int halfedge)
+// The side of its arc on which a constrained halfedge is.
+inline int side_of_arc(const Feature_network& network, const int halfedge)
 {
-  return network.arcs[network.arc[halfedge]].halfedges[network.place[halfedge]] == halfedge;
+  return network.arcs[network.arc[halfedge]].halfedges[network.place[halfedge]] == halfedge ? 0 : 1;
 }
 
 // Whether a node of a T-mesh is at a node of the feature network.
@@ -66,7 +67,7 @@ inline void collect_sides_of_patch(const Cut_surface& surface, const Surface_emb
   const auto collect_from = [&](const int first)
   {
     const int halfedge = t_mesh.pieces[first].halfedge;
-    Arc_side& side = sides[network.arc[halfedge]][is_of_first_side(network, halfedge) ? 0 : 1];
+    Arc_side& side = sides[network.arc[halfedge]][side_of_arc(network, halfedge)];
     for(int p = first; p >= 0 && !is_collected[p]; p = piece_from[t_mesh.pieces[p].target])
     {
       is_collected[p] = 1;
@@ -91,7 +92,7 @@ inline Arc_sides collect_arc_sides(const Cut_surface& surface, const Surface_emb
     const Index_range faces = surface.patches[patch].faces;
     for(int h = 3 * faces.begin_index; h < 3 * faces.end_index; ++h)
       if(surface.is_constrained(h))
-        sides[network.arc[h]][is_of_first_side(network, h) ? 0 : 1].patch = static_cast<int>(patch);
+        sides[network.arc[h]][side_of_arc(network, h)].patch = static_cast<int>(patch);
     collect_sides_of_patch(surface, embedding, network, t_meshes[patch], sides);
   }
   return sides;

@@ -62,8 +62,13 @@ public:
   double length_at(const int arc, const double position) const
   {
     const int p = place(arc, position);
-    const double* const length = &m_length[m_first[arc] + p];
-    return length[0] + (position - p) * (length[1] - length[0]);
+    return length_at(arc, p, position - p);
+  }
+
+  double length_at(const int arc, const int place, const double fraction) const
+  {
+    const double* const length = &m_length[m_first[arc] + place];
+    return length[0] + fraction * (length[1] - length[0]);
   }
 
   double position_at(const int arc, const double length) const
@@ -78,14 +83,8 @@ public:
 
   Surface_location location(const int arc, const double position) const
   {
-    const int p = place(arc, position), h = m_network.arcs[arc].halfedges[p];
-    const double fraction = (std::min)(1., (std::max)(0., position - p));
-    Surface_location result;
-    result.face = face_of(h);
-    result.barycentric = { 0, 0, 0 };
-    result.barycentric[h % 3] = fraction;
-    result.barycentric[previous_of(h) % 3] = 1 - fraction;
-    return result;
+    const int p = place(arc, position);
+    return location_on_halfedge(m_network.arcs[arc].halfedges[p], (std::min)(1., (std::max)(0., position - p)));
   }
 
   Coordinates point(const int arc, const double position) const

@@ -27,10 +27,10 @@ namespace internal {
 inline Quad_complex make_quads_along_arcs(Quad_maker& maker)
 {
   Quad_complex complex = maker.make();
-  const double tolerance = Quad_maker::part_of_edge_length * maker.mean_length_of_sides(complex);
-  if(maker.arc_tolerance() > 2 * tolerance)
+  const double tolerance = Quantized_layout::part_of_edge_length * maker.mean_length_of_sides(complex);
+  if(maker.layout().arc_tolerance() > 2 * tolerance)
   {
-    maker.follow_arcs_within(tolerance);
+    maker.layout().follow_arcs_within(tolerance);
     complex = maker.make();
   }
   return complex;
@@ -55,10 +55,10 @@ inline Quad_complex make_quads_of_number(Quad_maker& maker, const double wanted_
       best_scale = scale;
     }
     const double factor = (std::min)(largest_factor, (std::max)(1 / largest_factor, std::sqrt(ratio)));
-    maker.scale_edge_lengths(factor);
+    maker.layout().scale_edge_lengths(factor);
     scale *= factor;
   }
-  maker.scale_edge_lengths(best_scale / scale);
+  maker.layout().scale_edge_lengths(best_scale / scale);
   return make_quads_along_arcs(maker);
 }
 

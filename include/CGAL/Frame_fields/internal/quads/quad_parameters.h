@@ -23,6 +23,7 @@
 #include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
 #include <CGAL/Frame_fields/parameters.h>
 

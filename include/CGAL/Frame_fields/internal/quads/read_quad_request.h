@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -15,8 +15,9 @@
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
-#include <CGAL/Frame_fields/internal/quads/assemble.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_layout.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 
 #include <cstddef>
 #include <vector>
@@ -54,7 +55,7 @@ inline void split_triangles_of_patch(const Quad_layout& layout, const int patch,
     const int arc = layout.network.arc[h], place = layout.network.place[h];
     const std::vector<int>& vertices = complex.arcs[arc];
     const int n = static_cast<int>(vertices.size());
-    const bool is_first = is_of_first_side(layout.network, h);
+    const bool is_first = side_of_arc(layout.network, h) == 0;
     middle[h - first_halfedge] = vertices[2 * place + 1];
     sector_vertex(h) = vertices[(2 * place + (is_first ? 2 : 0)) % n];
     sector_vertex(previous_of(h)) = vertices[(2 * place + (is_first ? 0 : 2)) % n];

@@ -101,9 +101,7 @@ private:
       t.opposite.push_back(m_surface.opposite[h] < 0 ? -1 : local_halfedge(m_surface.opposite[h]));
       t.corner[v] = local_halfedge(h);
       t.vertices[v].point = m_walker.target(h);
-      t.vertices[v].location.face = face_of(h);
-      t.vertices[v].location.barycentric = { 0, 0, 0 };
-      t.vertices[v].location.barycentric[h % 3] = 1;
+      t.vertices[v].location = location_on_halfedge(h, 1);
       if(m_surface.is_constrained(h))
         t.segment[local_halfedge(h)] = to_be_cut(local_halfedge(h));
       if(m_network.is_node[m_embedding.vertex[h]] && !m_surface.is_constrained_sector(m_surface.sector[h]))
@@ -195,11 +193,7 @@ private:
     {
       const std::size_t cut = is_forward ? from + i : end - 1 - i;
       const double fraction = is_forward ? cuts[cut].fraction : 1 - cuts[cut].fraction;
-      Surface_location location;
-      location.face = face_of(side);
-      location.barycentric = { 0, 0, 0 };
-      location.barycentric[side % 3] = fraction;
-      location.barycentric[previous_of(side) % 3] = 1 - fraction;
+      const Surface_location location = location_on_halfedge(side, fraction);
       const int v = m_triangulation.add_vertex(location, m_walker.point(location));
       m_triangulation.vertices[v].id = cuts[cut].id;
       rest = m_triangulation.split_edge(rest, v);

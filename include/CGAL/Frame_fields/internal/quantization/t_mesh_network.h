@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
@@ -44,12 +45,6 @@ struct Edge_length_targets
   std::vector<double> edge_length;  // per patch, in the unit of `Cut_surface::length`
   std::vector<int> number_of_edges; // per arc: the number that it must get, 0 if it is free; empty if all are
 };
-
-// The side of its arc on which a constrained halfedge is: 0 if the arc has it, 1 if the arc has its twin.
-inline int side_of_arc(const Feature_network& features, const int halfedge)
-{
-  return features.arcs[features.arc[halfedge]].halfedges[features.place[halfedge]] == halfedge ? 0 : 1;
-}
 
 // Makes the network: in each cell, opposite sides have equal sums; the pieces on each side of an arc have the number of
 // the arc as their sum. So T-nodes on one side need not match those on the other. A patch whose T-mesh is empty is

@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_LOCATION_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_SURFACE_LOCATION_H
 
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+
 #include <array>
 
 namespace CGAL {
@@ -24,6 +26,17 @@ struct Surface_location
   int face = -1;
   std::array<double, 3> barycentric = { 1, 0, 0 };
 };
+
+// A fraction of the way along a halfedge.
+inline Surface_location location_on_halfedge(const int halfedge, const double fraction)
+{
+  Surface_location location;
+  location.face = face_of(halfedge);
+  location.barycentric = { 0, 0, 0 };
+  location.barycentric[halfedge % 3] = fraction;
+  location.barycentric[previous_of(halfedge) % 3] = 1 - fraction;
+  return location;
+}
 
 } // namespace internal
 } // namespace Frame_fields

@@ -119,11 +119,7 @@ private:
       const std::array<double, 3> change = change_of_weights(face_of(c), displacement);
       is_found = change[next_of(c) % 3] >= 0 && change[previous_of(c) % 3] >= 0 && change[c % 3] < 0;
       if(is_found)
-      {
-        location.face = face_of(c);
-        location.barycentric = { 0, 0, 0 };
-        location.barycentric[c % 3] = 1;
-      }
+        location = location_on_halfedge(c, 1);
     });
   }
 

@@ -41,6 +41,14 @@ inline double patch_area(const Cut_surface& surface, const Patch& patch)
   return sum;
 }
 
+inline double surface_area(const Cut_surface& surface)
+{
+  double sum = 0;
+  for(const Patch& patch : surface.patches)
+    sum += patch_area(surface, patch);
+  return sum;
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

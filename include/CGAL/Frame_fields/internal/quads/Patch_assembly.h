@@ -9,157 +9,26 @@
 //
 // Author(s)     : The Frame_fields authors
 
-#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_ASSEMBLE_H
-#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_ASSEMBLE_H
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_PATCH_ASSEMBLY_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_PATCH_ASSEMBLY_H
 
-#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
-#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Cell_chart.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_layout.h>
 #include <CGAL/Frame_fields/internal/quads/Vertex_classes.h>
-#include <CGAL/Frame_fields/internal/quads/place_arc_points.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/quads/make_arc_vertices.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// Where the quads of a patch come from: its T-mesh, triangles of their size, or each triangle of the mesh.
-enum class Patch_source { T_MESH, FILLING, SPLIT_TRIANGLES };
-
-// What the stages before the assembly have found: one T-mesh per patch, without cells where the patch has no certified
-// map, and the number of quad edges of each piece and arc.
-struct Quad_layout
-{
-  const Cut_surface& surface;
-  const Surface_embedding& embedding;
-  const Feature_network& network;
-  const Seamless_map& map;
-  const std::vector<T_mesh>& t_meshes;
-  const std::vector<Patch_source>& sources; // per patch
-  const Arc_sides& sides;
-  const std::vector<std::vector<int> >& edges_of_piece; // per patch
-  const std::vector<int>& edges_of_arc;
-  const std::vector<std::vector<int> >& breakpoints; // per arc: places where it must have a vertex
-};
-
-// The vertices that patches share, made once.
-struct Placed_arcs
-{
-  std::vector<int> of_node;               // per vertex of the triangle mesh, -1 if it is no node
-  std::vector<Placed_arc> points;         // per arc
-};
-
-inline Surface_location location_on_halfedge(const int halfedge, const double fraction)
-{
-  Surface_location location;
-  location.face = face_of(halfedge);
-  location.barycentric = { 0, 0, 0 };
-  location.barycentric[halfedge % 3] = fraction;
-  location.barycentric[previous_of(halfedge) % 3] = 1 - fraction;
-  return location;
-}
-
-// Whether a patch beside an arc is made of split triangles.
-inline bool is_beside_split_patch(const Arc_sides& sides, const std::vector<Patch_source>& sources, const int arc)
-{
-  return std::any_of(sides[arc].begin(), sides[arc].end(), [&](const Arc_side& side)
-                     { return side.patch >= 0 && sources[side.patch] == Patch_source::SPLIT_TRIANGLES; });
-}
-
-inline Placed_arc place_points(const Quad_layout& layout, const int arc)
-{
-  const Feature_arc& feature_arc = layout.network.arcs[arc];
-  const Arc_polyline polyline(layout.surface, feature_arc);
-  std::array<std::vector<double>, 2> points;
-  for(int s = 0; s < 2; ++s)
-  {
-    const Arc_side& side = layout.sides[arc][s];
-    if(side.pieces.empty())
-      continue;
-    points[s] = arc_points_of_side(layout.surface, layout.map, layout.network, polyline, layout.t_meshes[side.patch],
-                                   side, layout.edges_of_piece[side.patch]);
-    points[s] = feature_arc.is_loop ? unrolled_loop(points[s], s == 0, polyline.length())
-                                    : inner_points(points[s], s == 0);
-  }
-  const std::vector<double> fixed = is_beside_split_patch(layout.sides, layout.sources, arc)
-                                  ? points_of_triangles(polyline, feature_arc) : std::vector<double>();
-  if(points[0].empty() && points[1].empty() && fixed.empty())
-    points[0] = evenly_spaced_points(polyline.length(), layout.edges_of_arc[arc], feature_arc.is_loop);
-  Placed_arc placed = join_sides(points, fixed, feature_arc.is_loop, polyline.length());
-  if(fixed.empty())
-    move_to_breakpoints(polyline, layout.breakpoints[arc], feature_arc.is_loop, placed.length);
-  return placed;
-}
-
-// A vertex at a breakpoint of its arc stays there.
-inline void keep_at_breakpoint(const Quad_layout& layout, const int arc, Quad_vertex& vertex)
-{
-  const double rounding = 1e-9;
-  const std::vector<int>& halfedges = layout.network.arcs[arc].halfedges;
-  const double nearest = std::round(vertex.position);
-  const int place = static_cast<int>(nearest) % static_cast<int>(halfedges.size());
-  if(std::abs(vertex.position - nearest) > rounding
-     || !std::binary_search(layout.breakpoints[arc].begin(), layout.breakpoints[arc].end(), place))
-    return;
-  vertex.position = place;
-  vertex.location = location_on_halfedge(halfedges[place], 0);
-  vertex.vertex = layout.embedding.vertex[previous_of(halfedges[place])];
-}
-
-inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& complex)
-{
-  Placed_arcs result;
-  result.of_node.assign(layout.embedding.point.size(), -1);
-  for(int h = 0; h < layout.surface.number_of_halfedges(); ++h)
-  {
-    const int v = layout.embedding.vertex[h];
-    if(!layout.network.is_node[v] || result.of_node[v] >= 0)
-      continue;
-    result.of_node[v] = static_cast<int>(complex.vertices.size());
-    Quad_vertex vertex;
-    vertex.location = location_on_halfedge(h, 1);
-    vertex.vertex = v;
-    complex.vertices.push_back(vertex);
-  }
-
-  for(std::size_t a = 0; a < layout.network.arcs.size(); ++a)
-  {
-    const Feature_arc& arc = layout.network.arcs[a];
-    const Arc_polyline polyline(layout.surface, arc);
-    result.points.push_back(place_points(layout, static_cast<int>(a)));
-    complex.arcs.emplace_back();
-    complex.is_loop.push_back(arc.is_loop);
-    if(!arc.is_loop)
-      complex.arcs.back().push_back(
-        result.of_node[layout.embedding.vertex[previous_of(arc.halfedges.front())]]);
-    for(const double length : result.points.back().length)
-    {
-      Quad_vertex vertex;
-      vertex.arc = static_cast<int>(a);
-      // The points of a loop may begin before its first place, and end behind its last one.
-      const double whole = polyline.length();
-      vertex.position = polyline.position_at(length - std::floor(length / whole) * whole);
-      const int place = (std::min)(static_cast<int>(vertex.position), static_cast<int>(arc.halfedges.size()) - 1);
-      vertex.location = location_on_halfedge(arc.halfedges[place], vertex.position - place);
-      keep_at_breakpoint(layout, static_cast<int>(a), vertex);
-      complex.arcs.back().push_back(static_cast<int>(complex.vertices.size()));
-      complex.vertices.push_back(vertex);
-    }
-    if(!arc.is_loop)
-      complex.arcs.back().push_back(result.of_node[layout.embedding.vertex[arc.halfedges.back()]]);
-  }
-  return result;
-}
 
 // Makes the vertices and quads of one patch from the cells of its T-mesh.
 class Patch_assembly
@@ -408,4 +277,4 @@ private:
 } // namespace Frame_fields
 } // namespace CGAL
 
-#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_ASSEMBLE_H
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_PATCH_ASSEMBLY_H

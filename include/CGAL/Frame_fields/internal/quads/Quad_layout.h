@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_LAYOUT_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_LAYOUT_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/arc_sides.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Where the quads of a patch come from: its T-mesh, triangles of their size, or each triangle of the mesh.
+enum class Patch_source { T_MESH, FILLING, SPLIT_TRIANGLES };
+
+// What the stages before the assembly have found: one T-mesh per patch, without cells where the patch has no certified
+// map, and the number of quad edges of each piece and arc.
+struct Quad_layout
+{
+  const Cut_surface& surface;
+  const Surface_embedding& embedding;
+  const Feature_network& network;
+  const Seamless_map& map;
+  const std::vector<T_mesh>& t_meshes;
+  const std::vector<Patch_source>& sources; // per patch
+  const Arc_sides& sides;
+  const std::vector<std::vector<int> >& edges_of_piece; // per patch
+  const std::vector<int>& edges_of_arc;
+  const std::vector<std::vector<int> >& breakpoints; // per arc: places where it must have a vertex
+};
+
+// Whether a patch beside an arc is made of split triangles.
+inline bool is_beside_split_patch(const Arc_sides& sides, const std::vector<Patch_source>& sources, const int arc)
+{
+  return std::any_of(sides[arc].begin(), sides[arc].end(), [&](const Arc_side& side)
+                     { return side.patch >= 0 && sources[side.patch] == Patch_source::SPLIT_TRIANGLES; });
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_LAYOUT_H

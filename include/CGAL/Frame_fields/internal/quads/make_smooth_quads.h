@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_SMOOTH_QUADS_H
+#define CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_SMOOTH_QUADS_H
+
+#include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
+#include <CGAL/Frame_fields/internal/quads/make_sized_quads.h>
+#include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// Makes the first quads as they were asked for, and those of each refinement as the bounds say.
+inline Quad_complex make_requested_quads(Quad_maker& maker, const Quad_request& request, const bool is_refined)
+{
+  if(is_refined)
+    return maker.make();
+  return request.number_of_quads > 0 ? make_quads_of_number(maker, request.number_of_quads)
+                                     : make_quads_along_arcs(maker);
+}
+
+// The patches without a T-mesh.
+inline std::vector<char> filled_patches(const std::vector<T_mesh>& t_meshes)
+{
+  std::vector<char> result;
+  for(const T_mesh& t_mesh : t_meshes)
+    result.push_back(t_mesh.cells.empty());
+  return result;
+}
+
+// The quads with the fewest inverted ones among those of several refinements.
+struct Refined_quads
+{
+  Quad_complex complex;
+  std::vector<char> is_filled; // per patch
+  double arc_tolerance = 0;    // by how much their sides may leave the arcs
+};
+
+// Quantizes and assembles. Where quads of a T-mesh stay inverted when their surroundings are smoothed, they are made
+// anew with more room.
+template <typename StageClock>
+Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
+                                 const Feature_network& features, const std::vector<T_mesh>& t_meshes,
+                                 const Quad_request& request, const Quad_targets& targets, Quad_maker& maker,
+                                 StageClock& clock)
+{
+  const int maximum_number_of_refinements = 6;
+  double least_edge_length = request.edge_length;
+  for(const double edge_length : targets.edge_length)
+    least_edge_length = (std::min)(least_edge_length, edge_length);
+  Smoothing_options options;
+  options.may_release_bends = false;
+  Refined_quads best;
+  std::size_t least_number_of_inverted = 0;
+  for(int refinement = 0; ; ++refinement)
+  {
+    clock.start(Quad_stage::QUANTIZATION);
+    Refined_quads next;
+    next.complex = make_requested_quads(maker, request, refinement > 0);
+    next.is_filled = filled_patches(t_meshes);
+    next.arc_tolerance = maker.layout().arc_tolerance() * (least_edge_length / request.edge_length);
+    clock.start(Quad_stage::SMOOTHING);
+    options.arc_tolerance = next.arc_tolerance;
+    const std::vector<int> inverted =
+      smooth_inverted_quads(next.complex, surface, embedding, features, next.is_filled, options);
+    const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
+    const bool is_worth_more = refinement == 0 || 4 * inverted.size() <= 3 * least_number_of_inverted;
+    const bool has_more_room = is_worth_more && !inverted.empty() && refinement < maximum_number_of_refinements
+                               && maker.refine(next.complex, inverted);
+    if(is_better)
+    {
+      best = std::move(next);
+      least_number_of_inverted = inverted.size();
+    }
+    if(!has_more_room)
+      return best;
+  }
+}
+
+// Makes quads and smooths them as a whole. `t_meshes` of patches that are filled become empty.
+template <typename StageClock>
+Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
+                                const std::vector<int>& index, const Feature_network& features,
+                                const Seamless_map& map, std::vector<T_mesh>& t_meshes, const Quad_request& request,
+                                const Quad_targets& targets, StageClock& clock)
+{
+  Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
+  Refined_quads quads =
+    make_refined_quads(surface, embedding, features, t_meshes, request, targets, maker, clock);
+  Smoothing_options options;
+  options.arc_tolerance = quads.arc_tolerance;
+
+  // Valid quads matter more than that vertices stay at the bends of arcs.
+  options.may_release_bends = true;
+  smooth_inverted_quads(quads.complex, surface, embedding, features, std::vector<char>(surface.patches.size(), 0),
+                        options);
+  options.untangles = options.may_release_bends = false;
+  smooth(quads.complex, surface, embedding, features, options);
+  return quads;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_SMOOTH_QUADS_H
