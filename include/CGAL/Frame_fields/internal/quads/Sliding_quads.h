@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_order.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_points.h>
+#include <CGAL/Frame_fields/internal/quads/Corner_normals.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/quad_shape.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -50,18 +51,13 @@ public:
 
   Sliding_quads(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
                 const Feature_network& network, const double arc_tolerance = 0)
-    : m_complex(complex), m_embedding(embedding), m_network(network), m_walker(surface, embedding)
-    , m_arc_points(embedding, network), m_arc_order(complex, network, m_arc_points)
-    , m_arc_tolerance(arc_tolerance), m_is_released(network.arcs.size(), false)
-    , m_patch_of_face(surface.number_of_faces()), m_normal(4 * complex.quads.size(), Coordinates{ 0, 0, 0 })
+    : m_complex(complex), m_walker(surface, embedding), m_arc_points(embedding, network)
+    , m_arc_order(complex, network, m_arc_points), m_arc_tolerance(arc_tolerance)
+    , m_is_released(network.arcs.size(), false), m_normals(complex, surface, embedding, network, m_walker)
   {
-    for(std::size_t patch = 0; patch < surface.patches.size(); ++patch)
-      for(int f = surface.patches[patch].faces.begin_index; f < surface.patches[patch].faces.end_index; ++f)
-        m_patch_of_face[f] = static_cast<int>(patch);
     collect_corners();
     for(const Quad_vertex& v : complex.vertices)
       m_point.push_back(m_walker.point(v.location));
-    set_normals();
     for(std::size_t q = 0; q < complex.quads.size(); ++q)
       m_shape.push_back(quad_shape(points(static_cast<int>(q)), surface_normal(static_cast<int>(q))));
   }
@@ -106,11 +102,7 @@ public:
   }
 
   // The sum of the unit normals that the surface has at the vertices of a quad, on its side of the arcs.
-  Coordinates surface_normal(const int quad) const
-  {
-    const Coordinates* const n = &m_normal[4 * static_cast<std::size_t>(quad)];
-    return n[0] + n[1] + (n[2] + n[3]);
-  }
+  Coordinates surface_normal(const int quad) const { return m_normals.sum(quad); }
 
   double worst() const
   {
@@ -191,7 +183,7 @@ public:
     for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
     {
       m_shape[*c / 4] = shape_after(*c, slide);
-      m_normal[*c] = normal_at(slide.location, *c);
+      m_normals.set_normal(*c, m_normals.normal_after(slide.location, *c));
     }
     Quad_vertex& v = m_complex.vertices[vertex];
     v.location = slide.location;
@@ -219,7 +211,8 @@ private:
     const int quad = corner / 4;
     Quad_points moved = points(quad);
     moved[corner % 4] = slide.point;
-    const Coordinates normal = surface_normal(quad) - m_normal[corner] + normal_at(slide.location, corner);
+    const Coordinates normal =
+      surface_normal(quad) - m_normals.normal(corner) + m_normals.normal_after(slide.location, corner);
     return quad_shape(moved, normal);
   }
 
@@ -258,64 +251,15 @@ private:
       m_corner[next[m_complex.quads[c / 4][c % 4]]++] = static_cast<int>(c);
   }
 
-  // The normal of the surface at a corner that slides. On an arc it is that of the face on the side of the quad.
-  Coordinates normal_at(const Surface_location& location, const int corner) const
-  {
-    const Quad_vertex& v = m_complex.vertices[m_complex.quads[corner / 4][corner % 4]];
-    if(v.vertex >= 0)
-      return m_normal[corner]; // it does not slide
-    if(v.arc < 0)
-      return m_walker.normal(location.face);
-    const int patch = m_complex.patch[corner / 4];
-    Coordinates sum{ 0, 0, 0 };
-    for(int h = 3 * location.face; h < 3 * location.face + 3; ++h)
-      if(location.barycentric[(h + 1) % 3] == 0 && m_network.arc[h] == v.arc)
-      {
-        if(m_patch_of_face[location.face] == patch)
-          sum = sum + m_walker.normal(location.face);
-        if(m_embedding.twin[h] >= 0 && m_patch_of_face[face_of(m_embedding.twin[h])] == patch)
-          sum = sum + m_walker.normal(face_of(m_embedding.twin[h]));
-        return sum;
-      }
-    return sum;
-  }
-
-  void set_normals()
-  {
-    std::vector<int> vertex_at(m_embedding.point.size(), -1);
-    for(int v = 0; v < number_of_vertices(); ++v)
-      if(m_complex.vertices[v].vertex >= 0)
-        vertex_at[m_complex.vertices[v].vertex] = v;
-      else
-        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
-          m_normal[*c] = normal_at(m_complex.vertices[v].location, *c);
-    for(std::size_t h = 0; h < m_embedding.vertex.size(); ++h)
-    {
-      const int v = vertex_at[m_embedding.vertex[h]], face = face_of(static_cast<int>(h));
-      if(v >= 0)
-        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
-          if(m_complex.patch[*c / 4] == m_patch_of_face[face])
-            m_normal[*c] = m_normal[*c] + m_walker.normal(face);
-    }
-    for(int v = 0; v < number_of_vertices(); ++v)
-      if(m_complex.vertices[v].vertex >= 0)
-        for(const int* c = corners_begin(v); c != corners_end(v); ++c)
-          if(length(m_normal[*c]) > 0)
-            m_normal[*c] = 1 / length(m_normal[*c]) * m_normal[*c];
-  }
-
   Quad_complex& m_complex;
-  const Surface_embedding& m_embedding;
-  const Feature_network& m_network;
   Surface_walker m_walker;
   Arc_points m_arc_points;
   Arc_order m_arc_order;
   double m_arc_tolerance;
   std::vector<char> m_is_released;           // per arc: whether vertices at its bends may slide
-  std::vector<int> m_patch_of_face;
+  Corner_normals m_normals;
   std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in; corners
   std::vector<Coordinates> m_point;          // per vertex
-  std::vector<Coordinates> m_normal;         // per corner: that of the surface
   std::vector<Quad_shape> m_shape;           // per quad
 };
 

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/quads/improve_worst_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_shape.h>
 #include <CGAL/Frame_fields/internal/quads/sliding_step.h>
+#include <CGAL/Frame_fields/internal/quads/tangled_parts.h>
 #include <CGAL/Frame_fields/internal/quads/untangle_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
