@@ -25,9 +25,11 @@
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/refine_for_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -236,7 +238,12 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(const Result result = internal::read_quad_request(given_mesh, given_embedding, np, size, given_request); !result)
     return result;
   internal::Working_mesh mesh = internal::working_copy(given_mesh.surface(), given_embedding);
+  mesh.density() = given_request.density;
+  const internal::Surface_walker given_walker(given_mesh.surface(), given_embedding);
+  mesh.origin().walk_by(given_walker);
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
+  if(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::refine_long_triangles), true))
+    internal::refine_for_quads(mesh, prepared, given_mesh.surface(), given_request);
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
