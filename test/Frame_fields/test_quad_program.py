@@ -133,8 +133,8 @@ class QuadUsage(QuadProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
-                       "--edge-length", "--quads", "--no-refinement", "-o", "--ascii", "--feature-lines", "--write-features", "--support",
-                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound",
+                       "--edge-length", "--quads", "--no-refinement", "-o", "--ascii", "--feature-lines",
+                       "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound",
                        "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads", "--report", "--no-merge",
                        "--close-cracks", "--quiet",
                        "--verbose", "--help", "--version", ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
