@@ -136,7 +136,8 @@ class QuadUsage(QuadProgramTest):
                        "--edge-length", "--quads", "--no-refinement", "-o", "--ascii", "--feature-lines",
                        "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets",
                        "--sharp-corner-bound", "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads",
-                       "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version", ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
+                       "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version",
+                       ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
             self.assertIn(option, text)
 
     def test_manual_names_every_option_of_the_help(self):
