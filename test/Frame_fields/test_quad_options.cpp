@@ -8,6 +8,7 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/quad_mesh.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -37,7 +38,7 @@ struct Wishes
   std::function<double(const Point&)> length = [](const Point&) { return 0.25; };
   std::function<int(const Point&)> number = [](const Point&) { return 0; }; // of a curve, by the middles of edges
   std::function<bool(const Point&)> is_node = [](const Point&) { return false; };
-  bool repairs = true;
+  bool repairs = true, refines = true;
   // By the middles of faces.
   std::function<Vector(const Point&)> direction = [](const Point&) { return Vector(0, 0, 0); };
   std::function<double(const Point&)> weight = [](const Point&) { return 0; };
@@ -95,6 +96,7 @@ Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, c
   quads.result = make(quads.mesh, with_guidance(cad_mesh, wishes)
                                     .sizing_map(length).vertex_is_constrained_map(is_node)
                                     .number_of_edges_map(number).repair_matching(wishes.repairs)
+                                    .refine_long_triangles(wishes.refines)
                                     .output_edge_is_constrained_map(is_on_feature)
                                     .vertex_to_face_location_map(location)
                                     .fallback_patch_output_iterator(std::back_inserter(quads.fallback_patches))
@@ -146,6 +148,74 @@ Model ring_with_step()
   return planar(border, 0.3, {}, { hole });
 }
 
+// A closed prism over a regular polygon as CAD programs write it: sides of two needles, ends that are fans of needles.
+Model raw_prism(const std::size_t n, const double height)
+{
+  Model model;
+  for(std::size_t k = 0; k < 2 * n; ++k)
+  {
+    const double angle = static_cast<double>(k / 2) * 2 * CGAL_PI / static_cast<double>(n);
+    model.points.emplace_back(std::cos(angle), std::sin(angle), height * static_cast<double>(k % 2));
+  }
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const std::size_t low = 2 * k, next = 2 * ((k + 1) % n);
+    model.triangles.push_back({ low, next, low + 1 });
+    model.triangles.push_back({ low + 1, next, next + 1 });
+    for(const std::size_t side : { 0, 1 })
+      model.features.push_back(segment(model.points[low + side], model.points[next + side]));
+    if(k > 0 && k + 1 < n)
+    {
+      model.triangles.push_back({ 0, next, low });
+      model.triangles.push_back({ 1, low + 1, next + 1 });
+    }
+  }
+  return model;
+}
+
+// A pipe of the same kind.
+Model raw_pipe(const std::size_t n, const double height)
+{
+  Model model;
+  for(const double radius : { 1., 0.5 })
+    for(std::size_t k = 0; k < 2 * n; ++k)
+    {
+      const double angle = static_cast<double>(k / 2) * 2 * CGAL_PI / static_cast<double>(n);
+      model.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                height * static_cast<double>(k % 2));
+    }
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const std::size_t a = 2 * k, b = 2 * ((k + 1) % n), c = a + 2 * n, d = b + 2 * n;
+    const Triangle triangles[] = { { a, b, a + 1 }, { a + 1, b, b + 1 }, { c, c + 1, d }, { c + 1, d + 1, d },
+                                   { a, c, b }, { b, c, d }, { a + 1, b + 1, c + 1 }, { b + 1, d + 1, c + 1 } };
+    model.triangles.insert(model.triangles.end(), std::begin(triangles), std::end(triangles));
+    const std::size_t ends[][2] = { { a, b }, { a + 1, b + 1 }, { c, d }, { c + 1, d + 1 } };
+    for(const auto& [from, to] : ends)
+      model.features.push_back(segment(model.points[from], model.points[to]));
+  }
+  return model;
+}
+
+// A long plate with a hole, the corners of which have fans of needles.
+Model raw_plate(const double half_length)
+{
+  const std::size_t n = 16;
+  Model model;
+  model.points = { Point(half_length, 1, 0), Point(-half_length, 1, 0), Point(-half_length, -1, 0),
+                   Point(half_length, -1, 0) };
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const double angle = static_cast<double>(k) * 2 * CGAL_PI / n;
+    model.points.emplace_back(std::cos(angle) / 2, std::sin(angle) / 2, 0);
+    const std::size_t corner = k / 4, from = 4 + k, to = 4 + (k + 1) % n;
+    model.triangles.push_back({ from, corner, to });
+    if(k % 4 == 0)
+      model.triangles.push_back({ from, (corner + 3) % 4, corner });
+  }
+  return model;
+}
+
 Model square_of_side_4() { return planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.5); }
 
 struct Prepared_field
@@ -177,6 +247,7 @@ TEST(Quads_of_a_field, are_those_of_the_whole_pipeline_on_a_prepared_mesh)
     {
       Wishes wishes;
       wishes.repairs = repairs;
+      wishes.refines = false;
       const Quads expected = quads_of(field.cad_mesh, wishes);
       const Quads quads = quads_of_field(field.cad_mesh, field.maps, wishes);
       ASSERT_TRUE(expected.result && quads.result) << quads.result.message;
@@ -221,10 +292,11 @@ Point point_of(const Surface_mesh& mesh, const Location& location)
                           location.second[1], mesh.point(target(next(h, mesh), mesh)), location.second[2]);
 }
 
-// The cube and the polyhedron have faces that are split.
+// The cube and the polyhedron have faces that are split, the prism and the pipe edges that are flipped, too.
 TEST(Locations, are_on_the_mesh_of_the_caller)
 {
-  for(const Model& model : { cube(), quilt(), tetrahedron(), random_gear(1), random_star_shaped_polyhedron(2) })
+  for(const Model& model : { cube(), quilt(), tetrahedron(), random_gear(1), random_star_shaped_polyhedron(2),
+                             raw_prism(24, 4), raw_pipe(16, 5) })
   {
     const Cad_mesh<Surface_mesh> cad_mesh(model, false);
     const Quads quads = quads_of(cad_mesh);
@@ -238,6 +310,48 @@ TEST(Locations, are_on_the_mesh_of_the_caller)
       EXPECT_LT(CGAL::squared_distance(quads.mesh.point(v), point_of(cad_mesh.mesh, location)), 1e-20);
     }
   }
+}
+
+double area(const Surface_mesh& mesh)
+{
+  double result = 0;
+  for(const auto f : faces(mesh))
+  {
+    const auto h = halfedge(f, mesh);
+    result += std::sqrt(CGAL::squared_area(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                           mesh.point(target(next(h, mesh), mesh))));
+  }
+  return result;
+}
+
+// Without refinement the plate has three times as many quads as its area asks for, with a mean scaled Jacobian of 0.77.
+TEST(Long_triangles, do_not_harm_the_quads)
+{
+  for(const Model& model : { raw_prism(24, 16), raw_pipe(16, 16), raw_plate(16) })
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const Quads quads = quads_of(cad_mesh);
+    ASSERT_TRUE(quads.result) << quads.result.message;
+    EXPECT_EQ(0u, quads.statistics.number_of_filled_patches);
+    EXPECT_GT(quads.statistics.quality.mean_scaled_jacobian, 0.95);
+    EXPECT_GT(quads.statistics.quality.minimum_scaled_jacobian, 0.5);
+    EXPECT_NEAR(area(cad_mesh.mesh) / (0.25 * 0.25) / static_cast<double>(num_faces(quads.mesh)), 1, 0.15);
+  }
+}
+
+TEST(Long_triangles, are_kept_on_demand)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(raw_prism(24, 4), false);
+  std::size_t number_of_faces[] = { 0, 0 };
+  Wishes wishes;
+  for(const bool refines : { false, true })
+  {
+    wishes.refines = refines;
+    for(const FF::Patch_quad_statistics& patch : quads_of(cad_mesh, wishes).statistics.patches)
+      number_of_faces[refines] += patch.number_of_faces;
+  }
+  EXPECT_LT(number_of_faces[0], 4 * num_faces(cad_mesh.mesh));
+  EXPECT_GT(number_of_faces[1], 6 * num_faces(cad_mesh.mesh));
 }
 
 // The numbers of edges of the result on the features whose middles fulfil a predicate.
@@ -328,6 +442,18 @@ TEST(Numbers_of_edges, are_met)
   }
 }
 
+TEST(Numbers_of_edges, hold_for_edges_that_are_split)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
+  const auto is_along_x = [](const Point& p) { return std::abs(p.x() - 0.5) < 0.49; };
+  Wishes wishes;
+  wishes.number = [&](const Point& p) { return p == Point(0.5, 0, 0) ? 7 : 0; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  EXPECT_EQ(7 * 4, number_of_edges_where(quads, is_along_x));
+  EXPECT_EQ(0u, quads.statistics.number_of_unmet_edge_numbers);
+}
+
 // Opposite sides of a square have the same number: one of two that differ is given up, the one that is farther from the
 // 16 edges that the length asks for.
 TEST(Numbers_of_edges, that_contradict_one_another_are_given_up)
@@ -404,6 +530,7 @@ Wishes guided()
     const double distance = CGAL::squared_distance(p, Point(2, 2, 0));
     return distance < 0.1 ? std::numeric_limits<double>::infinity() : distance < 1 ? 1. : 0.;
   };
+  wishes.refines = false;
   return wishes;
 }
 

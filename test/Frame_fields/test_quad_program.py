@@ -133,11 +133,11 @@ class QuadUsage(QuadProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
-                       "--edge-length", "--quads", "-o", "--ascii", "--feature-lines", "--write-features", "--support",
-                       "--edge-weights", "--curvature-weight", "--index-targets", "--sharp-corner-bound",
-                       "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads", "--report", "--no-merge",
-                       "--close-cracks", "--quiet",
-                       "--verbose", "--help", "--version", ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
+                       "--edge-length", "--quads", "--no-refinement", "-o", "--ascii", "--feature-lines",
+                       "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets",
+                       "--sharp-corner-bound", "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads",
+                       "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version",
+                       ".obj", ".off", ".ply", ".vtp", ".msh", "Exit codes"):
             self.assertIn(option, text)
 
     def test_manual_names_every_option_of_the_help(self):

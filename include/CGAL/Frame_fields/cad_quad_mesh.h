@@ -25,9 +25,11 @@
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/refine_for_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
@@ -49,11 +51,11 @@ namespace Frame_fields {
 makes a quad mesh of a triangle mesh: its sides follow all feature and border edges, and its irregular vertices are the
 singularities of the frame field that `cad_frame_field()` computes.
 
-The function works on a copy of `tm` that `prepare_for_frame_field()` prepares. Each patch, a
-piece of the surface between feature and border edges, gets a field, a certified seamless map (see
-`seamless_parameterization()`) and a T-mesh of rectangular cells. The numbers of quad edges of all cells and all
-feature curves are one integer program, a flow on a bidirected network. The cells become grids of quads, whose
-vertices then slide on the surface until the quads are well shaped.
+The function works on a copy of `tm`, in which triangles that are longer than two quads are refined as by
+`refine_triangles()`, and that `prepare_for_frame_field()` prepares. Each patch, a piece of the surface between feature
+and border edges, gets a field, a certified seamless map (see `seamless_parameterization()`) and a T-mesh of rectangular
+cells. The numbers of quad edges of all cells and all feature curves are one integer program, a flow on a bidirected
+network. The cells become grids of quads, whose vertices then slide on the surface until the quads are well shaped.
 
 Where the indices of a field exclude every map, as around a ring whose border has a step, or on a torus with two
 irregular vertices, a pair of them is cancelled, up to three times, and the field of the patch computed with the others;
@@ -131,6 +133,16 @@ vertices are on them.
                     what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
                     `Quad_statistics::number_of_unmet_edge_numbers`.}
   \cgalParamNEnd
+  \cgalParamNBegin{refine_long_triangles}
+    \cgalParamDescription{whether triangles are refined in the copy where edges are longer than two edges of quads, as
+                          in raw tessellations}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+    \cgalParamExtra{The surface stays where it is, and shorter triangles do as well. The copy gets at most 8 triangles
+                    for each one of `tm`, and 4 for each quad that the area has room for. Edges in planes are flipped,
+                    unless there is an `index_target_map`; then a face of the copy may be part of several faces of `tm`
+                    in one plane and gets the guiding direction of one of them.}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -202,7 +214,7 @@ vertices are on them.
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
 
-\sa `refine_triangles()`, for raw tessellations with triangles that are much longer than the quads
+\sa `refine_triangles()`
 \sa `quad_mesh()`, for a field that is given
 \sa `quad_mesh_quality()`
 \sa `seamless_parameterization()`
@@ -236,7 +248,12 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(const Result result = internal::read_quad_request(given_mesh, given_embedding, np, size, given_request); !result)
     return result;
   internal::Working_mesh mesh = internal::working_copy(given_mesh.surface(), given_embedding);
+  mesh.density() = given_request.density;
+  const internal::Surface_walker given_walker(given_mesh.surface(), given_embedding);
+  mesh.origin().walk_by(given_walker);
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
+  if(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::refine_long_triangles), true))
+    internal::refine_for_quads(mesh, prepared, given_mesh.surface(), given_request);
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;

@@ -25,8 +25,11 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 #include <vector>
@@ -151,8 +154,11 @@ Result refine_triangles(TriangleMesh& tm, const double maximum_edge_length,
   const internal::Coplanar_flips<TriangleMesh, CGAL_NP_CLASS> flips(tm, mesh, unit, statistics.flip_tolerance);
   const auto is_in_plane = [&](const auto h) { return flips.is_in_plane(h); };
   internal::Longest_edge_splits<TriangleMesh, CGAL_NP_CLASS, decltype(is_in_plane)> splits(
-    tm, mesh, maximum_edge_length, is_in_plane);
-  internal::flip_and_split(tm, flips, splits, maximum_edge_length, statistics);
+    tm, mesh, maximum_edge_length, (std::numeric_limits<double>::infinity)(), is_in_plane);
+  std::deque<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> all_edges;
+  for(const auto e : edges(tm))
+    all_edges.push_back(halfedge(e, tm));
+  internal::flip_and_split(tm, all_edges, flips, splits, maximum_edge_length, statistics);
   internal::give_to_caller(statistics, get_parameter(np, internal::statistics));
   return {};
 }

@@ -18,6 +18,7 @@ struct Quad_options : Shared_options
 {
   std::optional<double> edge_length;
   std::optional<int> number_of_quads; // excludes the edge length
+  bool refines;
 
   std::vector<std::string> meshes;
   bool writes_ascii;
@@ -61,9 +62,10 @@ inline std::vector<std::string> meshes_option(const boost::program_options::vari
 
 inline Quad_options quad_options_from(const boost::program_options::variables_map& variables)
 {
-  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {} };
+  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {} };
   options.edge_length = edge_length_option(variables);
   options.number_of_quads = count_option(variables, "quads");
+  options.refines = !variables.count("no-refinement");
   options.meshes = meshes_option(variables);
   options.writes_ascii = variables.count("ascii");
   options.writes_feature_lines = variables.count("feature-lines");

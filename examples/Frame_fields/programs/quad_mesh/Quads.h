@@ -85,7 +85,8 @@ inline void compute_quads(const Model& model, const Feature_map is_feature, cons
                     .face_to_patch_map(quads.patch)
                     .statistics(std::ref(quads.statistics))
                     .visitor(Quad_stage_visitor(console))
-                    .target_edge_length(edge_length_of(model.mesh, options));
+                    .target_edge_length(edge_length_of(model.mesh, options))
+                    .refine_long_triangles(options.refines);
   check(CGAL::Frame_fields::cad_quad_mesh(model.mesh, quads.mesh,
                                           parameters::join(np, field_parameters(is_feature, options))), options);
 }

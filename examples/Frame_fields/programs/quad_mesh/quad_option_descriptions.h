@@ -17,7 +17,8 @@ inline boost::program_options::options_description size_option_descriptions()
   options.add_options()
     ("edge-length", po::value<double>()->value_name("L"),
      "the length that edges should have (a length of the model); the mean edge length of MODEL by default")
-    ("quads", po::value<int>()->value_name("N"), "instead of a length: about how many quadrangles there should be");
+    ("quads", po::value<int>()->value_name("N"), "instead of a length: about how many quadrangles there should be")
+    ("no-refinement", "keep triangles that are much longer than the quadrangles; otherwise a copy of them is refined");
   return options;
 }
 

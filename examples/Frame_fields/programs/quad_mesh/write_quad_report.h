@@ -16,6 +16,7 @@ inline Json json_of(const Quad_options& options)
   Json json = json_of_shared(options);
   json["edge_length"] = options.edge_length ? Json(*options.edge_length) : Json();
   json["quads"] = options.number_of_quads ? Json(*options.number_of_quads) : Json();
+  json["refinement"] = options.refines;
   return json;
 }
 

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_CARRY_TO_COPY_H
 
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
@@ -47,20 +48,19 @@ Quad_request carry_to_copy(const Quad_request& request, const Cut_surface& given
   {
     const int v = target(cut_copy.halfedge_of(h), copy).value;
     if(!request.density.empty())
-      result.density[embedding.vertex[h]] = copy.origin().interpolated(request.density, v);
+      result.density[embedding.vertex[h]] = copy.density()[v];
     if(static_cast<std::size_t>(v) < request.is_node.size())
       result.is_node[embedding.vertex[h]] = request.is_node[v];
   }
   if(request.number_of_edges.empty())
     return result;
-  // Constrained edges are not split.
   const std::vector<int> halfedge_of_copy = halfedges_of_copy(given_surface, given_embedding);
-  std::vector<int> number_of_edges(num_edges(copy), 0);
+  std::vector<int> number_of_edges(num_edges(copy), 0); // of the edges of the copy before it was refined
   for(std::size_t h = 0; h < halfedge_of_copy.size(); ++h)
     number_of_edges[halfedge_of_copy[h] / 2] = request.number_of_edges[h];
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
     if(surface.is_constrained(h))
-      result.number_of_edges[h] = number_of_edges[cut_copy.halfedge_of(h).value / 2];
+      result.number_of_edges[h] = number_of_edges[copy.origin().edge(cut_copy.halfedge_of(h).value / 2)];
   return result;
 }
 
@@ -71,10 +71,15 @@ Surface_location location_in_given_mesh(const Surface_embedding& given_embedding
 {
   const Working_mesh& copy = cut_copy.mesh();
   std::array<int, 3> vertices;
+  Coordinates point{ 0, 0, 0 };
   for(int k = 0; k < 3; ++k)
+  {
     vertices[k] = target(cut_copy.halfedge_of(3 * location.face + k), copy).value;
+    const Working_mesh::Point& p = copy.points()[vertices[k]];
+    point = point + location.barycentric[k] * Coordinates{ p.x(), p.y(), p.z() };
+  }
   return copy.origin().location(given_embedding, cut_copy.face_descriptors()[location.face].value, vertices,
-                                location.barycentric);
+                                location.barycentric, point);
 }
 
 } // namespace internal

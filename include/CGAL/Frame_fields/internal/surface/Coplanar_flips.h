@@ -59,6 +59,7 @@ public:
       if(!is_flip_wanted(h, maximum_edge_length / m_unit))
         continue;
       CGAL::Euler::flip_edge(h, m_mesh);
+      note_flip(m_mesh, h);
       ++number;
       changed(h);
       for(const halfedge_descriptor side : { h, opposite(h, m_mesh) })
@@ -99,8 +100,10 @@ private:
     if(m_editable.is_constrained(h))
       return false;
     const Vectors v = vectors_of(h);
-    return is_angle_sum_above_pi(v) && length(v.rs) <= maximum_length && is_convex(v) && are_coplanar(v)
-        && !are_neighbors(next(h, m_mesh), next(opposite(h, m_mesh), m_mesh));
+    const halfedge_descriptor to_r = next(h, m_mesh), to_s = next(opposite(h, m_mesh), m_mesh);
+    return is_angle_sum_above_pi(v)
+        && length_factor(m_mesh, target(to_r, m_mesh), target(to_s, m_mesh)) * length(v.rs) <= maximum_length
+        && is_convex(v) && are_coplanar(v) && !are_neighbors(to_r, to_s);
   }
 
   // The angles are those at r and s; their sum is known by its sine. The margin keeps the diagonals of a rectangle as

@@ -30,12 +30,20 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A mesh may want to know where its new elements come from: vertices between those of a face, with their weights, and
-// faces that are split off another one.
+// A mesh may want to know where its new elements come from: vertices between those of a face, with their weights, edges
+// and faces that are split off another one, and an edge that was flipped.
 template <typename Mesh, typename Vertex>
 void note_vertex(Mesh&, const Vertex&, const std::array<Vertex, 3>&, const std::array<double, 3>&) {}
+template <typename Mesh, typename Edge>
+void note_edge(Mesh&, const Edge&, const Edge&) {}
 template <typename Mesh, typename Face>
 void note_face(Mesh&, const Face&, const Face&) {}
+template <typename Mesh, typename Halfedge>
+void note_flip(Mesh&, const Halfedge&) {}
+
+// By what the lengths between two vertices count as longer than they are, where sizes differ from place to place.
+template <typename Mesh, typename Vertex>
+double length_factor(const Mesh&, const Vertex&, const Vertex&) { return 1; }
 
 // A mesh that is about to be refined, with the maps that must follow.
 template <typename TriangleMesh, typename NamedParameters>

@@ -19,6 +19,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <queue>
@@ -37,11 +38,16 @@ class Longest_edge_splits
 {
 public:
   typedef Editable_mesh<TriangleMesh, NamedParameters> Mesh;
+  typedef typename Mesh::Graph_traits Graph_traits;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
 
+  // Once there are `maximum_number_of_faces`, nothing is split any more.
   Longest_edge_splits(TriangleMesh& tm, const Mesh& mesh, const double maximum_edge_length,
-                      const IsInPlane& is_in_plane)
-    : m_mesh(tm), m_editable(mesh), m_maximum_edge_length(maximum_edge_length), m_is_in_plane(is_in_plane)
+                      const double maximum_number_of_faces, const IsInPlane& is_in_plane)
+    : m_mesh(tm), m_editable(mesh), m_maximum_edge_length(maximum_edge_length)
+    , m_maximum_number_of_faces(maximum_number_of_faces), m_is_in_plane(is_in_plane)
+    , m_number_of_faces(static_cast<double>(num_faces(tm)))
   {}
 
   // Has to be called for all edges, and for those that others change.
@@ -54,14 +60,14 @@ public:
 
   // The length of the longest edge that is left, 0 if none is. Here and below, edges in no plane count as longer than
   // they are.
-  double longest() const { return m_queue.empty() ? 0 : m_queue.top().priority; }
+  double longest() const { return m_queue.empty() || is_exhausted() ? 0 : m_queue.top().priority; }
 
   // Splits the edges longer than a bound, and adds the edges of all triangles of a split to a list. Returns the number
   // of splits.
   std::size_t split_down_to(const double bound, std::deque<halfedge_descriptor>& changed)
   {
     std::size_t number = 0;
-    while(!m_queue.empty() && m_queue.top().priority > bound)
+    while(!m_queue.empty() && m_queue.top().priority > bound && !is_exhausted())
     {
       const Entry entry = m_queue.top();
       m_queue.pop();
@@ -86,9 +92,12 @@ private:
     }
   };
 
+  bool is_exhausted() const { return m_number_of_faces >= m_maximum_number_of_faces; }
+
   double length_of(const halfedge_descriptor h) const
   {
-    return distance(m_editable.coordinates(source(h, m_mesh)), m_editable.coordinates(target(h, m_mesh)));
+    return length_factor(m_mesh, source(h, m_mesh), target(h, m_mesh))
+         * distance(m_editable.coordinates(source(h, m_mesh)), m_editable.coordinates(target(h, m_mesh)));
   }
 
   // Fails if there is no number between those of the ends.
@@ -103,11 +112,20 @@ private:
     const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, m_mesh);
     m_editable.set_point(target(to_midpoint, m_mesh), midpoint);
     m_editable.copy_constraint(h, to_midpoint);
+    note_vertex(m_mesh, target(to_midpoint, m_mesh),
+                std::array<vertex_descriptor, 3>{ source(to_midpoint, m_mesh), target(h, m_mesh),
+                                                  Graph_traits::null_vertex() },
+                std::array<double, 3>{ 0.5, 0.5, 0 });
+    note_edge(m_mesh, edge(to_midpoint, m_mesh), edge(h, m_mesh));
     for(const halfedge_descriptor half : { to_midpoint, opposite(h, m_mesh) })
       if(!is_border(half, m_mesh))
       {
+        const auto whole = face(half, m_mesh);
         const halfedge_descriptor across = CGAL::Euler::split_face(half, next(next(half, m_mesh), m_mesh), m_mesh);
         m_editable.mark_unconstrained(across);
+        note_face(m_mesh, face(across, m_mesh), whole);
+        note_face(m_mesh, face(opposite(across, m_mesh), m_mesh), whole);
+        ++m_number_of_faces;
         for(const halfedge_descriptor side : { across, opposite(across, m_mesh) })
           for(const halfedge_descriptor around : { side, next(side, m_mesh), prev(side, m_mesh) })
             changed.push_back(around);
@@ -123,8 +141,9 @@ private:
 
   TriangleMesh& m_mesh;
   const Mesh& m_editable;
-  double m_maximum_edge_length;
+  double m_maximum_edge_length, m_maximum_number_of_faces;
   IsInPlane m_is_in_plane;
+  double m_number_of_faces;
   std::priority_queue<Entry> m_queue;
   std::size_t m_number_of_entries = 0;
 };

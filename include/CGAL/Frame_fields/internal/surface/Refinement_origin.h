@@ -12,39 +12,44 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_REFINEMENT_ORIGIN_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_REFINEMENT_ORIGIN_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Where the faces and vertices of a mesh come from that is refined by splitting edges and faces: each face is part of a
-// face of the mesh as it was, each vertex is between at most three vertices of one of these.
+// Where the elements of a mesh come from that is refined by splitting edges and faces and by flipping edges in planes.
+// Each face has a seed, a location in the mesh as it was. From there a straight walk leads to every point of the face:
+// the seed is in the face, or in one that it is part of, and such a face is in one plane. A vertex that is between at
+// most three vertices of a face of the mesh as it was knows these, so that nothing is rounded where nothing is flipped.
 class Refinement_origin
 {
 public:
   typedef std::array<double, 3> Weights;
 
-  struct Vertex_origin
-  {
-    std::array<int, 3> vertex = { -1, -1, -1 }; // -1 without weight
-    Weights weight = { 0, 0, 0 };
-  };
-
   // Until it starts, nothing is noted.
-  void start(const int number_of_vertices, const int number_of_faces)
+  void start(const int number_of_vertices, const int number_of_edges, const int number_of_faces)
   {
     m_vertices.resize(number_of_vertices);
     for(int v = 0; v < number_of_vertices; ++v)
       m_vertices[v] = { { v, -1, -1 }, { 1, 0, 0 } };
+    m_edges.resize(number_of_edges);
+    std::iota(m_edges.begin(), m_edges.end(), 0);
     for(int f = 0; f < number_of_faces; ++f)
-      m_faces.push_back(f);
+      m_seeds.push_back({ f, { 1. / 3, 1. / 3, 1. / 3 } });
   }
+
+  // Flips can be noted from now on. The walker is one of the mesh as it was; it must outlive this object.
+  void walk_by(const Surface_walker& walker) { m_walker = &walker; }
 
   // Notes a new vertex between up to three of the same face, -1 for none.
   void add_vertex(const int vertex, const std::array<int, 3>& ends, const Weights& weights)
@@ -52,66 +57,129 @@ public:
     if(m_vertices.empty())
       return;
     Vertex_origin origin;
+    bool is_known = true;
     for(int i = 0; i < 3; ++i)
-      for(int k = 0; k < 3 && ends[i] >= 0; ++k)
-        add(m_vertices[ends[i]].vertex[k], weights[i] * m_vertices[ends[i]].weight[k], origin);
+      if(ends[i] >= 0)
+      {
+        is_known = is_known && m_vertices[ends[i]].vertex[0] >= 0;
+        for(int k = 0; k < 3; ++k)
+          is_known = is_known && add(m_vertices[ends[i]].vertex[k], weights[i] * m_vertices[ends[i]].weight[k], origin);
+      }
     if(static_cast<std::size_t>(vertex) >= m_vertices.size())
       m_vertices.resize(vertex + 1);
-    m_vertices[vertex] = origin;
+    m_vertices[vertex] = is_known ? origin : Vertex_origin();
+  }
+
+  // Notes an edge that is a part of another one.
+  void add_edge(const int edge, const int other)
+  {
+    if(m_edges.empty() || edge == other)
+      return;
+    if(static_cast<std::size_t>(edge) >= m_edges.size())
+      m_edges.resize(edge + 1, -1);
+    m_edges[edge] = m_edges[other];
   }
 
   // Notes a face that is split off another one; nothing if it is the same.
   void add_face(const int face, const int other)
   {
-    if(m_faces.empty() || face == other)
+    if(m_seeds.empty() || face == other)
       return;
-    if(static_cast<std::size_t>(face) >= m_faces.size())
-      m_faces.resize(face + 1, -1);
-    m_faces[face] = m_faces[other];
+    if(static_cast<std::size_t>(face) >= m_seeds.size())
+      m_seeds.resize(face + 1);
+    m_seeds[face] = m_seeds[other];
   }
 
-  int face(const int f) const { return m_faces[f]; }
-  const Vertex_origin& vertex(const int v) const { return m_vertices[v]; }
-
-  // The value at a vertex of what is linear between the vertices of the mesh as it was.
-  double interpolated(const std::vector<double>& values, const int v) const
+  // Notes that the common edge of two faces was flipped: where its middle was, and the middles of the new faces. By way
+  // of the former, walks keep to the plane of the faces.
+  void flip(const int face, const int other, const Coordinates& middle_of_edge, const Coordinates& middle_of_face,
+            const Coordinates& middle_of_other)
   {
-    double sum = 0;
-    for(int k = 0; k < 3; ++k)
-      if(m_vertices[v].vertex[k] >= 0)
-        sum += m_vertices[v].weight[k] * values[m_vertices[v].vertex[k]];
-    return sum;
+    if(m_seeds.empty())
+      return;
+    std::array<Surface_location, 2> starts{ m_seeds[face], m_seeds[other] };
+    for(Surface_location& start : starts)
+      start = walked(start, middle_of_edge);
+    m_seeds[face] = nearest_walk(starts, middle_of_face);
+    m_seeds[other] = nearest_walk(starts, middle_of_other);
   }
+
+  // The face of the mesh as it was with the seed of a face.
+  int face(const int f) const { return m_seeds[f].face; }
+
+  // The edge of the mesh as it was that an edge is a part of, -1 for one inside its faces.
+  int edge(const int e) const { return static_cast<std::size_t>(e) < m_edges.size() ? m_edges[e] : -1; }
 
   // The location in the mesh as it was of a point of face f with the given vertices and weights.
   Surface_location location(const Surface_embedding& embedding, const int f, const std::array<int, 3>& vertices,
-                            const Weights& weights) const
+                            const Weights& weights, const Coordinates& point) const
   {
     Surface_location result;
-    result.face = m_faces[f];
+    result.face = m_seeds[f].face;
     result.barycentric = { 0, 0, 0 };
     for(int i = 0; i < 3; ++i)
-      for(int k = 0; k < 3; ++k)
-        for(int corner = 0; corner < 3; ++corner)
-          if(embedding.vertex[3 * result.face + corner] == m_vertices[vertices[i]].vertex[k])
-            result.barycentric[corner] += weights[i] * m_vertices[vertices[i]].weight[k];
+      if(weights[i] != 0 && !add_weights(embedding, m_vertices[vertices[i]], weights[i], result))
+        return walked(m_seeds[f], point);
     return result;
   }
 
 private:
-  static void add(const int vertex, const double weight, Vertex_origin& origin)
+  // All vertices are -1 if it is not between three of the mesh as it was.
+  struct Vertex_origin
+  {
+    std::array<int, 3> vertex = { -1, -1, -1 }; // -1 without weight
+    Weights weight = { 0, 0, 0 };
+  };
+
+  // Returns whether there is room for the vertex.
+  static bool add(const int vertex, const double weight, Vertex_origin& origin)
   {
     for(int k = 0; k < 3 && vertex >= 0; ++k)
       if(origin.vertex[k] < 0 || origin.vertex[k] == vertex)
       {
         origin.vertex[k] = vertex;
         origin.weight[k] += weight;
-        return;
+        return true;
       }
+    return vertex < 0;
+  }
+
+  // Returns whether the vertex is in the face of the location.
+  static bool add_weights(const Surface_embedding& embedding, const Vertex_origin& origin, const double weight,
+                          Surface_location& location)
+  {
+    bool is_in_face = origin.vertex[0] >= 0;
+    for(int k = 0; k < 3 && origin.vertex[k] >= 0; ++k)
+    {
+      const auto corners = embedding.vertex.begin() + 3 * static_cast<std::ptrdiff_t>(location.face);
+      const auto corner = std::find(corners, corners + 3, origin.vertex[k]);
+      if(corner == corners + 3)
+        is_in_face = false;
+      else
+        location.barycentric[corner - corners] += weight * origin.weight[k];
+    }
+    return is_in_face;
+  }
+
+  Surface_location walked(Surface_location location, const Coordinates& goal) const
+  {
+    if(m_walker != nullptr)
+      m_walker->walk(location, goal - m_walker->point(location));
+    return location;
+  }
+
+  // Of two walks, since one of the faces may be too narrow to start in.
+  Surface_location nearest_walk(const std::array<Surface_location, 2>& starts, const Coordinates& goal) const
+  {
+    const Surface_location first = walked(starts[0], goal), second = walked(starts[1], goal);
+    return m_walker == nullptr || distance(m_walker->point(first), goal) <= distance(m_walker->point(second), goal)
+             ? first : second;
   }
 
   std::vector<Vertex_origin> m_vertices; // per vertex
-  std::vector<int> m_faces;              // per face
+  std::vector<int> m_edges;              // per edge, as far as they are parts of others
+  std::vector<Surface_location> m_seeds; // per face
+  const Surface_walker* m_walker = nullptr;
 };
 
 } // namespace internal

@@ -135,6 +135,8 @@ public:
   const Refinement_origin& origin() const { return m_origin; }
   std::vector<Point>& points() { return m_point; }
   const std::vector<Point>& points() const { return m_point; }
+  std::vector<double>& density() { return m_density; }
+  const std::vector<double>& density() const { return m_density; }
   std::vector<char>& constrained_edges() { return m_is_constrained; }
   const std::vector<char>& constrained_edges() const { return m_is_constrained; }
 
@@ -143,6 +145,7 @@ private:
   std::vector<Vertex> m_target;
   std::vector<Face> m_face;
   std::vector<Point> m_point;
+  std::vector<double> m_density;      // per vertex: by what lengths there count as longer than they are; empty if by 1
   std::vector<char> m_is_constrained; // per edge
   Refinement_origin m_origin;
 };
@@ -265,10 +268,37 @@ inline void note_vertex(Working_mesh& m, const Working_mesh::Vertex v, const std
                         const std::array<double, 3>& weights)
 {
   m.origin().add_vertex(v.value, { ends[0].value, ends[1].value, ends[2].value }, weights);
+  if(m.density().empty())
+    return;
+  double density = 0;
+  for(int i = 0; i < 3; ++i)
+    if(ends[i].value >= 0)
+      density += weights[i] * m.density()[ends[i].value];
+  m.density().resize(m.number_of_vertices());
+  m.density()[v.value] = density;
+}
+inline void note_edge(Working_mesh& m, const Working_mesh::Edge e, const Working_mesh::Edge other)
+{
+  m.origin().add_edge(e.value, other.value);
 }
 inline void note_face(Working_mesh& m, const Working_mesh::Face f, const Working_mesh::Face other)
 {
   m.origin().add_face(f.value, other.value);
+}
+inline void note_flip(Working_mesh& m, const Working_mesh::Halfedge h)
+{
+  const auto point = [&](const Working_mesh::Halfedge g)
+  {
+    const Working_mesh::Point& p = m.points()[m.target(g).value];
+    return Coordinates{ p.x(), p.y(), p.z() };
+  };
+  const Working_mesh::Halfedge o = opposite(h, m);
+  const Coordinates p = point(h), q = point(o), r = point(next(h, m)), s = point(next(o, m));
+  m.origin().flip(m.face(h).value, m.face(o).value, (r + s) / 2, (p + q + r) / 3, (p + q + s) / 3);
+}
+inline double length_factor(const Working_mesh& m, const Working_mesh::Vertex u, const Working_mesh::Vertex v)
+{
+  return m.density().empty() ? 1 : (m.density()[u.value] + m.density()[v.value]) / 2;
 }
 
 // Values by the number of their element, in an array that the map refers to or shares. What was never put is `Value()`.

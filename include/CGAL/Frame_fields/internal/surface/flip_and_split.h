@@ -61,20 +61,22 @@ double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const dou
   return (std::max)(number_by_area, number_of_edges / 3);
 }
 
-// Flips, then splits down to lengths that get shorter by and by, with flips after each.
+// Flips those of the given edges that want it, then splits all down to lengths that get shorter by and by, with flips
+// after each.
 template <typename TriangleMesh, typename Flips, typename Splits>
-void flip_and_split(TriangleMesh& tm, const Flips& flips, Splits& splits, const double maximum_edge_length,
+void flip_and_split(TriangleMesh& tm,
+                    const std::deque<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>& flipped_first,
+                    const Flips& flips, Splits& splits, const double maximum_edge_length,
                     Refinement_statistics& statistics)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
   const double ratio = 1.2; // of the lengths
   const auto add = [&](const halfedge_descriptor h) { splits.add(h); };
-  std::deque<halfedge_descriptor> changed;
+  statistics.number_of_flips +=
+    flips(flipped_first, (std::numeric_limits<double>::infinity)(), [](halfedge_descriptor) {});
   for(const auto e : edges(tm))
-    changed.push_back(halfedge(e, tm));
-  statistics.number_of_flips += flips(changed, (std::numeric_limits<double>::infinity)(), [](halfedge_descriptor) {});
-  for(const halfedge_descriptor h : changed)
-    splits.add(h);
+    splits.add(halfedge(e, tm));
+  std::deque<halfedge_descriptor> changed;
   while(splits.longest() > 0)
   {
     changed.clear();

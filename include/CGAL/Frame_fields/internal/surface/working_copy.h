@@ -53,7 +53,7 @@ inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embed
 
   Working_mesh mesh;
   mesh.resize(static_cast<int>(embedding.point.size()), number_of_edges, surface.number_of_faces());
-  mesh.origin().start(static_cast<int>(embedding.point.size()), surface.number_of_faces());
+  mesh.origin().start(static_cast<int>(embedding.point.size()), number_of_edges, surface.number_of_faces());
   for(std::size_t v = 0; v < embedding.point.size(); ++v)
     mesh.points()[v] = Working_mesh::Point(embedding.point[v][0], embedding.point[v][1], embedding.point[v][2]);
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
