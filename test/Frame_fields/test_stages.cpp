@@ -288,6 +288,85 @@ TEST(Seamless_parameterization, reads_its_parameters)
   EXPECT_EQ(FF::ERROR_WRONG_FIELD, map_with(1));
 }
 
+// A square with n by n squares of two faces each, without feature.
+Surface_mesh square_grid(const int n)
+{
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> grid;
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      grid.push_back(mesh.add_vertex(Point(double(j) / n, double(i) / n, 0)));
+  const auto corner = [&](const int i, const int j) { return grid[i * (n + 1) + j]; };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      mesh.add_face(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1));
+      mesh.add_face(corner(i, j), corner(i + 1, j + 1), corner(i + 1, j));
+    }
+  return mesh;
+}
+
+TEST(Seamless_parameterization, has_the_sizes_asked_for)
+{
+  Surface_mesh mesh = square_grid(20);
+  ASSERT_TRUE(FF::prepare_for_frame_field(mesh));
+  const Maps<Surface_mesh> maps(mesh);
+  ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index, parameters::matching_map(maps.matching)));
+  const auto uv_map = get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), mesh);
+  const auto result_with = [&](const auto& np)
+  {
+    return FF::seamless_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map, np);
+  };
+  const auto area_in_plane = [&](const auto f)
+  {
+    const auto h = halfedge(f, mesh);
+    return CGAL::area(get(uv_map, prev(h, mesh)), get(uv_map, h), get(uv_map, next(h, mesh)));
+  };
+  const auto whole_area = [&]
+  {
+    double sum = 0;
+    for(const auto f : faces(mesh))
+      sum += area_in_plane(f);
+    return sum;
+  };
+  const auto size = [&](const double left, const double right)
+  {
+    return parameters::sizing_map(boost::make_function_property_map<Surface_mesh::Vertex_index>(
+      [&mesh, left, right](const auto v) { return left + (right - left) * mesh.point(v).x(); }));
+  };
+  ASSERT_TRUE(result_with(parameters::target_edge_length(0.1)));
+  EXPECT_NEAR(100, whole_area(), 1e-6);
+  ASSERT_TRUE(result_with(parameters::number_of_quads(1600)));
+  EXPECT_NEAR(1600, whole_area(), 1e-5);
+  ASSERT_TRUE(result_with(size(0.2, 0.2)));
+  EXPECT_NEAR(25, whole_area(), 1e-6);
+
+  // Faces become larger where edges should be shorter; what is asked for without `number_of_quads` has its own unit.
+  ASSERT_TRUE(result_with(size(0.2, 0.05)));
+  const double number = whole_area();
+  double left = 0, right = 0;
+  for(const auto f : faces(mesh))
+  {
+    const double x = mesh.point(target(halfedge(f, mesh), mesh)).x();
+    if(x < 0.3)
+      left += area_in_plane(f);
+    if(x > 0.7)
+      right += area_in_plane(f);
+  }
+  EXPECT_GT(right, 1.5 * left);
+  // As v is the same everywhere, it can follow the sizes only on average: the area is the squared mean of 1 / size,
+  // over its mean square.
+  ASSERT_TRUE(result_with(size(20, 5).number_of_quads(1600)));
+  const double mean = std::log(4) / 15, mean_square = 1. / 100;
+  EXPECT_NEAR(1600 * mean * mean / mean_square, whole_area(), 0.01 * 1600);
+  ASSERT_TRUE(result_with(size(20, 5)));
+  EXPECT_NEAR(number / 1e4, whole_area(), 1e-6 * number);
+
+  EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result_with(parameters::number_of_quads(0.5)).error_code);
+  EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result_with(size(0, 1)).error_code);
+  EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result_with(size(1, std::numeric_limits<double>::infinity())).error_code);
+}
+
 INSTANTIATE_TEST_SUITE_P(Generated, Stages, testing::ValuesIn(generated_models()), Model_name());
 INSTANTIATE_TEST_SUITE_P(Generated, Mesh_cut_once, testing::ValuesIn(generated_models()), Model_name());
 

@@ -90,8 +90,23 @@ its corners are at the origin. Nothing ties different patches to one another, no
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that is to become 1 in the plane}
-    \cgalParamType{`double`, positive}
+    \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{the mean length of the sides of the faces}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_quads}
+    \cgalParamDescription{how many squares of this length are as large as the surface, in place of
+                          `target_edge_length`}
+    \cgalParamType{a number, at least 1}
+    \cgalParamDefault{it follows from `target_edge_length`}
+    \cgalParamExtra{The area of a map is near to this number as far as the field lets lengths be what they should.}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_map}
+    \cgalParamDescription{the length that is to become 1 near each vertex, in place of `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a type that is convertible to
+                   `double`, positive and finite, as value type}
+    \cgalParamDefault{`target_edge_length` everywhere}
+    \cgalParamExtra{With `number_of_quads`, only the ratios of the lengths count.}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{an instance of the solver traits class}

@@ -9,11 +9,11 @@
 //
 // Author(s)     : The Frame_fields authors
 
-
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_ONE_PAIR_ON_TORUS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_ONE_PAIR_ON_TORUS_H
 
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/patches.h>
 
 #include <array>
 #include <vector>

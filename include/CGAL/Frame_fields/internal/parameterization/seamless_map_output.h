@@ -15,10 +15,15 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/maps/read_field.h>
+#include <CGAL/Frame_fields/internal/maps/read_guidance.h>
+#include <CGAL/Frame_fields/internal/maps/read_target_sizes.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -30,7 +35,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -74,13 +78,22 @@ template <typename CutMesh, typename NamedParameters>
 Result read_target_length(const CutMesh& cut_mesh, const NamedParameters& np, std::vector<double>& target_length)
 {
   const Cut_surface& surface = cut_mesh.surface();
-  const double mean_length =
-    std::accumulate(surface.length.begin(), surface.length.end(), 0.) / surface.number_of_halfedges();
-  const double given = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal::target_edge_length), mean_length * surface.length_unit);
-  if(!(given > 0 && std::isfinite(given)))
-    return wrong_parameter("target_edge_length", given, "a positive finite number");
-  target_length.assign(surface.number_of_faces(), given / surface.length_unit);
+  const Quad_size size = quad_size_from(np);
+  if(const Result result = check_quad_size(np, size); !result)
+    return result;
+  Surface_embedding embedding;
+  Target_sizes sizes;
+  sizes.edge_length = target_edge_length_of(size, surface);
+  if constexpr(is_given<NamedParameters, internal::sizing_t>)
+  {
+    embedding = embed(cut_mesh);
+    const auto sizing = CGAL::parameters::get_parameter(np, internal::sizing);
+    if(const Result result = read_sizes(cut_mesh, embedding, sizing, size, sizes); !result)
+      return result;
+  }
+  if(!(sizes.edge_length > 0 && std::isfinite(sizes.edge_length)))
+    return wrong_parameter("the target edge length", sizes.edge_length * surface.length_unit, "positive and finite");
+  target_length = edge_length_of_faces(surface, embedding, sizes);
   return {};
 }
 

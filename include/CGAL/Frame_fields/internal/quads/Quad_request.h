@@ -13,11 +13,10 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_QUAD_REQUEST_H
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
-#include <CGAL/Frame_fields/internal/surface/areas.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -27,11 +26,9 @@ namespace Frame_fields {
 namespace internal {
 
 // What the caller asks of the quads, on the surface that gets them.
-struct Quad_request
+struct Quad_request : Target_sizes
 {
-  double edge_length = 0;           // in the unit of `Cut_surface::length`
   double number_of_quads = 0;       // about how many there should be, 0 if the length alone counts
-  std::vector<double> density;      // per vertex: `edge_length` over the length wanted there; empty if it is 1
   std::vector<int> number_of_edges; // per halfedge: the number wanted on its arc, 0 if it is free; empty if all are
   std::vector<char> is_node;        // per vertex: whether arcs must end there; empty if none must
 };
@@ -44,30 +41,6 @@ struct Quad_targets
   std::vector<int> number_of_edges;           // per arc: the number wanted, 0 if it is free
 };
 
-inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
-{
-  return density.empty() ? 1 : density[embedding.vertex[halfedge]];
-}
-
-// The density of a face, that is linear between its vertices, on average.
-inline double mean_density(const Surface_embedding& embedding, const std::vector<double>& density, const int face)
-{
-  double sum = 0;
-  for(int h = 3 * face; h < 3 * face + 3; ++h)
-    sum += density_at(embedding, density, h);
-  return sum / 3;
-}
-
-inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, const Surface_embedding& embedding,
-                                                const Quad_request& request)
-{
-  std::vector<double> result(surface.number_of_faces(), request.edge_length);
-  if(!request.density.empty())
-    for(int f = 0; f < surface.number_of_faces(); ++f)
-      result[f] /= mean_density(embedding, request.density, f);
-  return result;
-}
-
 // The surface with the integral of the density along each edge in the place of its length.
 inline Cut_surface sized_surface(const Cut_surface& surface, const Surface_embedding& embedding,
                                  const std::vector<double>& density)
@@ -76,23 +49,6 @@ inline Cut_surface sized_surface(const Cut_surface& surface, const Surface_embed
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
     result.length[h] *= (density_at(embedding, density, h) + density_at(embedding, density, previous_of(h))) / 2;
   return result;
-}
-
-// How many quads of the wanted size cover some faces, over how many cover as large an area at the density 1.
-inline double mean_squared_density(const Cut_surface& surface, const Surface_embedding& embedding,
-                                   const std::vector<double>& density, const Index_range& faces)
-{
-  double sum = 0, weighted_sum = 0;
-  for(int f = faces.begin_index; f < faces.end_index; ++f)
-  {
-    const double face_density = mean_density(embedding, density, f), face_area = area(surface, f);
-    sum += face_area;
-    weighted_sum += face_area * face_density * face_density;
-  }
-  if(sum > 0 && weighted_sum > 0)
-    return weighted_sum / sum;
-  const double first_density = mean_density(embedding, density, faces.begin_index);
-  return first_density * first_density;
 }
 
 // Per patch: the length of the edges of as many quads of the same size.

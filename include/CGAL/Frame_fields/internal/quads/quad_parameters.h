@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Quad_quality.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
@@ -33,7 +34,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -48,38 +48,6 @@ struct No_stage_clock
 {
   Stage_seconds seconds() const { return {}; }
 };
-
-// The size of the quads among the named parameters: one of both, or neither.
-struct Quad_size
-{
-  double target_edge_length; // 0 if it is not given
-  double number_of_quads;    // 0 if it is not given
-};
-
-template <typename NamedParameters>
-Quad_size quad_size_from(const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  return { static_cast<double>(choose_parameter(get_parameter(np, internal::target_edge_length), 0.)),
-           static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
-}
-
-template <typename NamedParameters>
-Result check_quad_size(const NamedParameters&, const Quad_size& size)
-{
-  constexpr bool has_length =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal::target_edge_length_t>::value;
-  constexpr bool has_number =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal::number_of_quads_t>::value;
-  if(has_length && !(std::isfinite(size.target_edge_length) && size.target_edge_length > 0))
-    return failure(ERROR_WRONG_PARAMETER, "target_edge_length is " + std::to_string(size.target_edge_length)
-                                          + " and must be a finite positive number");
-  if(has_number && !(std::isfinite(size.number_of_quads) && size.number_of_quads >= 1))
-    return failure(ERROR_WRONG_PARAMETER, "number_of_quads is " + std::to_string(size.number_of_quads)
-                                          + " and must be at least 1");
-  return {};
-}
 
 // Quads and their vertices must have numbers of the type int.
 inline double largest_number_of_quads() { return (std::numeric_limits<int>::max)() / 16.; }
@@ -97,19 +65,6 @@ inline Result check_number_of_quads(const Cut_surface& surface, const Surface_em
   if(number <= largest_number && length / target_edge_length <= largest_number)
     return {};
   return failure(ERROR_WRONG_PARAMETER, "the quads asked for are too many for 32-bit indices");
-}
-
-// In the unit of `Cut_surface::length`; by default the mean length of the edges.
-inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
-{
-  if(size.target_edge_length > 0)
-    return size.target_edge_length / surface.length_unit;
-  if(size.number_of_quads > 0)
-    return std::sqrt(surface_area(surface) / size.number_of_quads);
-  double sum = 0;
-  for(const double length : surface.length)
-    sum += length;
-  return sum / static_cast<double>(surface.length.size());
 }
 
 inline std::string text_of_edge(const Surface_embedding& embedding, const int halfedge, const double unit)
@@ -159,7 +114,6 @@ void output_quads(const Cut_surface& surface, const Surface_embedding& embedding
   for(std::size_t side = 0; side < written.sides.size(); ++side)
     put_if_given(is_constrained, edge(written.sides[side], quad_mesh), is_on_arc[side] != 0);
 }
-
 
 // The quality of quads in space.
 inline Quad_quality quality_of(const Cut_surface& surface, const Surface_embedding& embedding,

@@ -13,10 +13,10 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_READ_QUAD_REQUEST_H
 
 #include <CGAL/Frame_fields/Error_code.h>
-#include <CGAL/Frame_fields/internal/maps/read_guidance.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
+#include <CGAL/Frame_fields/internal/maps/read_target_sizes.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
-#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/areas.h>
@@ -24,10 +24,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,61 +33,6 @@ namespace Frame_fields {
 namespace internal {
 
 // Reads the named parameters about single elements that the functions that make quads have.
-
-// One halfedge that ends at each vertex of an embedding.
-inline std::vector<int> halfedges_of_vertices(const Surface_embedding& embedding)
-{
-  std::vector<int> result(embedding.point.size(), -1);
-  for(std::size_t h = 0; h < embedding.vertex.size(); ++h)
-    if(int& first = result[embedding.vertex[h]]; first < 0)
-      first = static_cast<int>(h);
-  return result;
-}
-
-template <typename CutMesh, typename Visit>
-Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embedding, const Visit& visit)
-{
-  for(const int h : halfedges_of_vertices(embedding))
-    if(const Result result = visit(target(cut_mesh.halfedge_of(h), cut_mesh.mesh()), embedding.vertex[h]); !result)
-      return result;
-  return {};
-}
-
-// Reads the lengths wanted at the vertices. Their unit becomes the length that as many quads would have if all were of
-// the same size, or the one that follows from the number of quads.
-template <typename CutMesh, typename SizingMap>
-Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, const SizingMap sizing,
-                  const Quad_size& size, Quad_request& request)
-{
-  const Cut_surface& surface = cut_mesh.surface();
-  request.density.assign(embedding.point.size(), 1);
-  double largest = 0, smallest = (std::numeric_limits<double>::max)();
-  const Result result = for_each_vertex(cut_mesh, embedding, [&](const auto v, const int number) -> Result
-  {
-    const double length = static_cast<double>(get(sizing, v)) / surface.length_unit;
-    request.density[number] = 1 / length;
-    largest = (std::max)(largest, 1 / length);
-    smallest = (std::min)(smallest, 1 / length);
-    if(length > 0 && std::isfinite(length) && std::isfinite(1 / length))
-      return {};
-    return failure(ERROR_WRONG_PARAMETER, "sizing_map is not a positive finite number at the vertex at "
-                                          + to_text(cut_mesh.coordinates(v)));
-  });
-  if(!result)
-    return result;
-  if(smallest == largest)
-    request.density.clear();
-  for(double& density : request.density)
-    density /= largest;
-  const double squared_density = mean_squared_density(surface, embedding, request.density,
-                                                      { 0, surface.number_of_faces() });
-  request.edge_length = 1 / (largest * std::sqrt(squared_density));
-  for(double& density : request.density)
-    density /= std::sqrt(squared_density);
-  if(size.number_of_quads > 0)
-    request.edge_length = std::sqrt(surface_area(surface) / size.number_of_quads);
-  return {};
-}
 
 template <typename CutMesh, typename NumberMap>
 Result read_numbers_of_edges(const CutMesh& cut_mesh, const Surface_embedding& embedding, const NumberMap numbers,

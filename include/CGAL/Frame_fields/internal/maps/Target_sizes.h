@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Frame_fields authors.
+// All rights reserved.
+//
+// This file is part of Frame_fields, a package in the form of CGAL's (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Frame_fields authors
+
+#ifndef CGAL_FRAME_FIELDS_INTERNAL_MAPS_TARGET_SIZES_H
+#define CGAL_FRAME_FIELDS_INTERNAL_MAPS_TARGET_SIZES_H
+
+#include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/maps/read_guidance.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/areas.h>
+#include <CGAL/Frame_fields/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Frame_fields {
+namespace internal {
+
+// The size of the quads among the named parameters: one of both, or neither.
+struct Quad_size
+{
+  double target_edge_length; // 0 if it is not given
+  double number_of_quads;    // 0 if it is not given
+};
+
+template <typename NamedParameters>
+Quad_size quad_size_from(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return { static_cast<double>(choose_parameter(get_parameter(np, internal::target_edge_length), 0.)),
+           static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
+}
+
+template <typename NamedParameters>
+Result check_quad_size(const NamedParameters&, const Quad_size& size)
+{
+  constexpr bool has_length = is_given<NamedParameters, internal::target_edge_length_t>;
+  constexpr bool has_number = is_given<NamedParameters, internal::number_of_quads_t>;
+  if(has_length && !(std::isfinite(size.target_edge_length) && size.target_edge_length > 0))
+    return wrong_parameter("target_edge_length", size.target_edge_length, "a positive finite number");
+  if(has_number && !(std::isfinite(size.number_of_quads) && size.number_of_quads >= 1))
+    return wrong_parameter("number_of_quads", size.number_of_quads, "a finite number, at least 1");
+  return {};
+}
+
+// In the unit of `Cut_surface::length`; by default the mean length of the edges.
+inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
+{
+  if(size.target_edge_length > 0)
+    return size.target_edge_length / surface.length_unit;
+  if(size.number_of_quads > 0)
+    return std::sqrt(surface_area(surface) / size.number_of_quads);
+  double sum = 0;
+  for(const double length : surface.length)
+    sum += length;
+  return sum / static_cast<double>(surface.length.size());
+}
+
+// The lengths that edges should have, a length for all times a factor for each vertex.
+struct Target_sizes
+{
+  double edge_length = 0;      // in the unit of `Cut_surface::length`
+  std::vector<double> density; // per vertex: `edge_length` over the length wanted there; empty if it is 1
+};
+
+inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
+{
+  return density.empty() ? 1 : density[embedding.vertex[halfedge]];
+}
+
+// The density of a face, that is linear between its vertices, on average.
+inline double mean_density(const Surface_embedding& embedding, const std::vector<double>& density, const int face)
+{
+  double sum = 0;
+  for(int h = 3 * face; h < 3 * face + 3; ++h)
+    sum += density_at(embedding, density, h);
+  return sum / 3;
+}
+
+inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, const Surface_embedding& embedding,
+                                                const Target_sizes& sizes)
+{
+  std::vector<double> result(surface.number_of_faces(), sizes.edge_length);
+  if(!sizes.density.empty())
+    for(int f = 0; f < surface.number_of_faces(); ++f)
+      result[f] /= mean_density(embedding, sizes.density, f);
+  return result;
+}
+
+// How many quads of the wanted size cover some faces, over how many cover as large an area at the density 1.
+inline double mean_squared_density(const Cut_surface& surface, const Surface_embedding& embedding,
+                                   const std::vector<double>& density, const Index_range& faces)
+{
+  double sum = 0, weighted_sum = 0;
+  for(int f = faces.begin_index; f < faces.end_index; ++f)
+  {
+    const double face_density = mean_density(embedding, density, f), face_area = area(surface, f);
+    sum += face_area;
+    weighted_sum += face_area * face_density * face_density;
+  }
+  if(sum > 0 && weighted_sum > 0)
+    return weighted_sum / sum;
+  const double first_density = mean_density(embedding, density, faces.begin_index);
+  return first_density * first_density;
+}
+
+} // namespace internal
+} // namespace Frame_fields
+} // namespace CGAL
+
+#endif // CGAL_FRAME_FIELDS_INTERNAL_MAPS_TARGET_SIZES_H
