@@ -275,6 +275,27 @@ TEST_F(Exception_safety, of_the_streamlines)
   EXPECT_GT(number_of_lines, 1u);
 }
 
+TEST_F(Exception_safety, of_the_seamless_map)
+{
+  for(const auto f : faces(mesh))
+    put(maps.rho, f, 0);
+  const Kernel::Point_2 untouched(sentinel, sentinel);
+  std::vector<Kernel::Point_2> uv(mesh.number_of_halfedges(), untouched);
+  std::vector<FF::Uncertified_patch<Surface_mesh::Face_index> > uncertified;
+  uncertified.reserve(num_faces(mesh));
+  expect_safe("seamless_parameterization", [&]
+  {
+    return FF::seamless_parameterization(
+      mesh, field.alpha, maps.rho, field.matching, field.index, CGAL::make_property_map(uv),
+      cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified))).error_code;
+  }, [&]
+  {
+    return uncertified.empty()
+        && std::count(uv.begin(), uv.end(), untouched) == std::ptrdiff_t(mesh.number_of_halfedges());
+  });
+  EXPECT_LT(uncertified.size(), 4u) << "some patches have a map";
+}
+
 TEST_F(Exception_safety, of_a_field_from_vectors)
 {
   std::vector<Vector> u, v;

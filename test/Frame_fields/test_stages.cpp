@@ -1,3 +1,4 @@
+#include "map_contract.h"
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields.h>
@@ -96,7 +97,6 @@ std::vector<double> readings(const TriangleMesh& mesh, const Cad_mesh<Mesh>& cad
                              const NamedParameters& np)
 {
   typedef boost::graph_traits<Mesh> Graph_traits;
-  typedef Kernel::Point_2 Point_2;
   std::vector<double> result;
   std::vector<typename Graph_traits::halfedge_descriptor> corners;
   EXPECT_TRUE(FF::sharp_corners(mesh, std::back_inserter(corners), np));
@@ -218,7 +218,6 @@ TEST(Cut_triangle_mesh, is_refused_if_it_failed_or_the_mesh_has_changed)
 // Every certified patch is mapped exactly, the others are listed and mapped to the origin.
 TEST_P(Stages, map_patches_seamlessly)
 {
-  typedef Kernel::Point_2 Point_2;
   on_each_mesh_class(GetParam().make(), [](const auto& cad_mesh)
   {
     typedef typename std::decay_t<decltype(cad_mesh)>::Mesh Mesh;
@@ -235,28 +234,13 @@ TEST_P(Stages, map_patches_seamlessly)
 
     const Cut cut = cad_mesh.cut();
     std::vector<Point_2> uv;
-    for_each_halfedge(mesh, [&](const auto h) { uv.push_back(get(uv_map, h)); });
-    const auto along = [&](const int h) { return uv[h] - uv[h % 3 == 0 ? h + 2 : h - 1]; };
-    std::set<int> uncertified_patches;
-    for(int h = 0; h < cut.number_of_halfedges(); ++h)
+    std::vector<int> index;
+    for_each_halfedge(mesh, [&](const auto h)
     {
-      const auto d = along(h);
-      const int next = h % 3 == 2 ? h - 2 : h + 1;
-      if(CGAL::determinant(d, along(next)) <= 0)
-      {
-        EXPECT_EQ(Point_2(0, 0), uv[h]);
-        uncertified_patches.insert(cut.patch[h / 3]);
-        continue;
-      }
-      if(cut.is_constrained(h))
-        EXPECT_NE(d.x() == 0, d.y() == 0);
-      else
-      {
-        const auto e = along(cut.opposite[h]);
-        EXPECT_TRUE(e == -d || e == d || e == Kernel::Vector_2(-d.y(), d.x()) || e == Kernel::Vector_2(d.y(), -d.x()));
-      }
-    }
-    EXPECT_EQ(uncertified_patches.size(), uncertified.size());
+      uv.push_back(get(uv_map, h));
+      index.push_back(get(maps.index, h));
+    });
+    EXPECT_EQ("", broken_facts_of_map(cut, index_of_sectors(cut, index), uv, uncertified.size()));
   });
 }
 

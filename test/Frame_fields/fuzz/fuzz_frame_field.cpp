@@ -4,6 +4,7 @@
 #include "Fuzz_case.h"
 
 #include "../field_contract.h"
+#include "../map_contract.h"
 #include "../sentinels.h"
 
 #include <CGAL/Frame_fields.h>
@@ -168,6 +169,27 @@ void check_vectors(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, const
     expect(std::abs(get(read.rho, f) - get(maps.rho, f)) < 1e-9, "vectors have the skewness of their field");
 }
 
+void check_map(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const auto uv_map = get(CGAL::dynamic_halfedge_property_t<Point_2>(), mesh);
+  std::vector<FF::Uncertified_patch<Face> > uncertified;
+  const FF::Result result = FF::seamless_parameterization(
+    mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map,
+    cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified)));
+  expect(bool(result), "patches are mapped: " + result.message);
+  std::vector<Point_2> uv;
+  std::vector<int> index;
+  for_each_halfedge(mesh, [&](const Halfedge h)
+  {
+    uv.push_back(get(uv_map, h));
+    index.push_back(get(maps.index, h));
+  });
+  const Cut cut = cad_mesh.cut();
+  const std::string broken = broken_facts_of_map(cut, index_of_sectors(cut, index), uv, uncertified.size());
+  expect(broken.empty(), broken);
+}
+
 // A spacing at which there are few lines.
 double longest_edge(const Mesh& mesh)
 {
@@ -324,6 +346,7 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
     for(const Vector& branch : branches)
       expect(std::abs(branch.squared_length() - 1) < 1e-9, "branches are unit vectors");
   check_vectors(cad_mesh, maps, field);
+  check_map(cad_mesh, maps);
   check_streamlines(cad_mesh, maps, read_streamline_parameters(bytes));
   check_spoilt_field(cad_mesh, maps, bytes);
 }
