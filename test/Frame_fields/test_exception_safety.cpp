@@ -285,6 +285,8 @@ TEST_F(Exception_safety, of_the_seamless_map)
   uncertified.reserve(num_faces(mesh));
   expect_safe("seamless_parameterization", [&]
   {
+    std::fill(uv.begin(), uv.end(), untouched); // std::stable_sort() goes on without its memory
+    uncertified.clear();
     return FF::seamless_parameterization(
       mesh, field.alpha, maps.rho, field.matching, field.index, CGAL::make_property_map(uv),
       cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified))).error_code;
