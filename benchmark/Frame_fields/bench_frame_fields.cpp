@@ -23,6 +23,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,14 +38,18 @@ const int refinements_for_one_iteration = 2, refinements_for_one_repetition = 3;
 // A model with what the stages take from the ones before.
 struct Staged_model : Benchmark_model
 {
-  Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha, zero;
+  Mesh::Property_map<Mesh::Face_index, double> orthogonal_alpha, relaxed_alpha, skewness, zero;
   Mesh::Property_map<Mesh::Halfedge_index, int> matching, orthogonal_index;
   Mesh::Property_map<Mesh::Halfedge_index, double> omega;
-  bool has_orthogonal_field = false;
+  Mesh::Property_map<Mesh::Halfedge_index, Point_2> uv;
+  bool has_orthogonal_field = false, has_relaxed_field = false;
 
   explicit Staged_model(const Featured_soup& soup) : Benchmark_model(soup)
   {
     orthogonal_alpha = mesh.add_property_map<Mesh::Face_index, double>("f:orthogonal_alpha").first;
+    relaxed_alpha = mesh.add_property_map<Mesh::Face_index, double>("f:relaxed_alpha").first;
+    skewness = mesh.add_property_map<Mesh::Face_index, double>("f:skewness").first;
+    uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
     zero = mesh.add_property_map<Mesh::Face_index, double>("f:zero", 0.).first;
     matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
     orthogonal_index = mesh.add_property_map<Mesh::Halfedge_index, int>("h:orthogonal_index").first;
@@ -58,6 +63,16 @@ struct Staged_model : Benchmark_model
         mesh, orthogonal_alpha, rho, orthogonal_index,
         params::edge_is_constrained_map(is_feature).relax_orthogonality(false).matching_map(matching)
           .prescribed_rotation_map(omega)));
+  }
+
+  void provide_relaxed_field()
+  {
+    if(has_relaxed_field)
+      return;
+    for(const Mesh::Face_index f : mesh.faces())
+      relaxed_alpha[f] = orthogonal_alpha[f];
+    has_relaxed_field = bool(Frame_fields::relax_frame_field(
+      mesh, relaxed_alpha, skewness, params::edge_is_constrained_map(is_feature).matching_map(matching)));
   }
 };
 
@@ -154,6 +169,19 @@ struct Relax_frame_field
   }
 };
 
+struct Seamless_parameterization
+{
+  static constexpr const char* name = "seamless_parameterization";
+  static constexpr bool is_stage = true;
+
+  template <typename NamedParameters>
+  Frame_fields::Result operator()(Staged_model& m, const NamedParameters& np) const
+  {
+    return Frame_fields::seamless_parameterization(m.mesh, m.relaxed_alpha, m.skewness, m.matching,
+                                                   m.orthogonal_index, m.uv, np);
+  }
+};
+
 // Beside the pipeline: places of singularities, and streamlines at the default spacing.
 struct Singularities
 {
@@ -214,6 +242,8 @@ void run(benchmark::State& state, const Shape& shape, const int number_of_refine
   Staged_model& m = model(shape, number_of_refinements);
   if(Compute::is_stage)
     m.provide_orthogonal_field();
+  if(std::is_same<Compute, Seamless_parameterization>::value)
+    m.provide_relaxed_field();
 #ifdef CGAL_LINKED_WITH_TBB
   if(number_of_threads > 1)
   {
@@ -309,6 +339,7 @@ void add_benchmarks(const Shape& shape, const int number_of_refinements)
       add(Orthogonal_frame_field());
       add(Singularity_indices());
       add(Relax_frame_field());
+      add(Seamless_parameterization());
       add(Singularities());
       add(Trace_streamlines());
     }
