@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Combed_field.h>
 #include <CGAL/Frame_fields/internal/parameterization/Cut_graph.h>
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
+#include <CGAL/Frame_fields/internal/parameterization/Zero_side_search.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <algorithm>
@@ -26,15 +27,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// A constrained edge in its chart: one coordinate stays, the other one must grow in the direction of `sign`.
-struct Side_edge
-{
-  int halfedge;
-  int source, target;      // vertices of the disk
-  int growing_coordinate;  // 0: u, 1: v
-  int sign;
-};
 
 // Aligned and exactly seamless maps of a patch as x = B z: x holds u and v of vertex i of the disk at 2i and 2i + 1, z
 // is free, and B has integer entries, so that integers z give a map on integers.
@@ -55,9 +47,9 @@ public:
   int size() const { return m_size; }
   int number_of_coordinates() const { return m_number_of_coordinates; }
   bool has_overflow() const { return m_has_overflow; }
-  bool has_forced_zero_side() const { return m_has_forced_zero_side; }
+  bool has_forced_zero_side() const { return m_forced_zero_side[0] >= 0; }
 
-  // The sectors at both ends of such a side.
+  // The sectors at both ends of such a side, or else -1.
   const std::array<int, 2>& forced_zero_side() const { return m_forced_zero_side; }
 
   const std::vector<Side_edge>& side_edges() const { return m_side_edges; }
@@ -69,7 +61,6 @@ public:
     for(int k = m_row_begin[coordinate]; k < m_row_begin[coordinate + 1]; ++k)
       visit(m_unknown[k], m_coefficient[k]);
   }
-
 
   // x = B z
   template <typename Number>
@@ -157,7 +148,9 @@ private:
         relate(relations, b, vertex(h), vertex(previous_of(m_surface.opposite[h])));
       }
     }
-    m_has_forced_zero_side = finds_forced_zero_side(relations);
+    m_forced_zero_side = Zero_side_search(m_surface, m_patch, m_index, m_side_edges)
+      .first_side([&](const Side_edge& e) { return length_of(e); },
+                  [&](const Integer_row& row) { return relations.reduced(row).empty(); });
     if(!relations.has_overflow())
       collect_rows(relations);
     m_has_overflow = relations.has_overflow();
@@ -194,65 +187,13 @@ private:
              { m_parent[2 * e.source + e.growing_coordinate], -e.sign } };
   }
 
-  // The constrained edge that follows at the target of one.
-  int next_along_border(const int halfedge) const
-  {
-    int next = next_of(halfedge);
-    while(!m_surface.is_constrained(next))
-      next = next_of(m_surface.opposite[next]);
-    return next;
-  }
-
-  bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
-
-  // Looks for a side, from one corner to the next one, whose length or a part of it is 0 in all maps.
-  bool finds_forced_zero_side(Integer_relations& relations)
-  {
-    std::vector<int> number_of(m_graph.vertex.size(), -1); // per halfedge of the patch: its place among the edges
-    for(std::size_t i = 0; i < m_side_edges.size(); ++i)
-      number_of[m_side_edges[i].halfedge - 3 * m_patch.faces.begin_index] = static_cast<int>(i);
-    std::vector<char> is_added(m_side_edges.size(), false);
-    const auto is_side_zero = [&](const int first)
-    {
-      Integer_row length;
-      bool has_zero_edge = false;
-      int last = first;
-      for(int h = first; ; h = next_along_border(h))
-      {
-        const int number = number_of[h - 3 * m_patch.faces.begin_index];
-        if(is_added[number])
-          break; // once around
-        is_added[number] = true;
-        last = h;
-        const Integer_row part = length_of(m_side_edges[number]);
-        length.insert(length.end(), part.begin(), part.end());
-        has_zero_edge = has_zero_edge || relations.reduced(part).empty();
-        if(ends_side(h))
-          break;
-      }
-      if(length.empty() || !(has_zero_edge || relations.reduced(length).empty()))
-        return false;
-      m_forced_zero_side = { m_surface.sector[previous_of(first)], m_surface.sector[last] };
-      return true;
-    };
-    for(const Side_edge& e : m_side_edges)
-      if(ends_side(e.halfedge) && is_side_zero(next_along_border(e.halfedge)))
-        return true;
-    return std::any_of(m_side_edges.begin(), m_side_edges.end(), [&](const Side_edge& e)
-                       { return is_side_zero(e.halfedge); }); // borders without corner
-  }
-
   void collect_rows(Integer_relations& relations)
   {
     std::vector<Integer_row> row_of(m_number_of_coordinates);
-    std::vector<int> number_of_rows;
     for(int i = 0; i < m_number_of_coordinates; ++i)
-    {
-      if(m_parent[i] != i)
-        continue;
-      row_of[i] = relations.reduced({ { i, 1 } });
-    }
-    number_of_rows.assign(relations.number_of_variables(), 0);
+      if(m_parent[i] == i)
+        row_of[i] = relations.reduced({ { i, 1 } });
+    std::vector<int> number_of_rows(relations.number_of_variables(), 0);
     for(int i = 0; i < m_number_of_coordinates; ++i)
       for(const Integer_term& term : row_of[m_parent[i]])
         ++number_of_rows[term.variable];
@@ -289,7 +230,6 @@ private:
   int m_number_of_coordinates;
   int m_size = 0;
   bool m_has_overflow = false;
-  bool m_has_forced_zero_side = false;
   std::array<int, 2> m_forced_zero_side{ { -1, -1 } };
   std::vector<int> m_row_begin;   // per coordinate: B in compressed rows
   std::vector<int> m_unknown;     // per entry of B
