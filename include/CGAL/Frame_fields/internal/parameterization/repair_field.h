@@ -22,12 +22,12 @@
 #include <CGAL/Frame_fields/internal/parameterization/propose_index_targets.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
+#include <CGAL/Frame_fields/internal/surface/surface_of_patch.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -67,15 +67,10 @@ public:
   std::vector<int> run()
   {
     std::vector<int> result(m_surface.patches.size(), 0);
-    std::optional<Cut_surface> part; // a copy, with one patch at a time
     for(std::size_t p = 0; p < result.size(); ++p)
       if((m_map.status[p] == Map_status::FORCED_ZERO_SIDE || m_map.status[p] == Map_status::ONE_PAIR_ON_TORUS)
          && !has_index_targets(m_surface, m_surface.patches[p]))
-      {
-        if(!part)
-          part = m_surface;
-        result[p] = repair(static_cast<int>(p), *part);
-      }
+        result[p] = repair(static_cast<int>(p));
     return result;
   }
 
@@ -87,48 +82,72 @@ private:
     void start(Stage) const {}
   };
 
-  int repair(const int number, Cut_surface& part)
+  // Works on the patch as a surface of its own, so that the time does not depend on the others.
+  int repair(const int number)
   {
-    part.patches.assign(1, m_surface.patches[number]);
-    part.index_target.assign(m_surface.number_of_sectors(), NO_INDEX_TARGET);
-    Frame_field field = m_field;
+    const Patch& patch = m_surface.patches[number];
+    const std::vector<double> target_length = part_of(m_target_length, patch.faces);
+    Cut_surface surface = surface_of_patch(m_surface, patch);
+    surface.index_target.assign(surface.number_of_sectors(), NO_INDEX_TARGET);
+    Frame_field field = field_of_patch(patch);
     Leaning_frames frames = leaning_frames(field);
     for(int pairs = 1; pairs <= maximum_number_of_pairs; ++pairs)
     {
-      if(!propose_index_targets(part, part.patches[0], frames.alpha, frames.rho, field.matching, field.index,
-                                part.index_target))
+      if(!propose_index_targets(surface, surface.patches[0], frames.alpha, frames.rho, field.matching, field.index,
+                                surface.index_target))
         return 0;
       Silent_clock clock;
       field = Frame_field();
-      if(compute_frame_field<CGAL::Sequential_tag>(part, m_options, m_solver_traits, clock, field).error_code != OK)
+      if(compute_frame_field<CGAL::Sequential_tag>(surface, m_options, m_solver_traits, clock, field).error_code != OK)
         return 0;
       frames = leaning_frames(field);
-      int fraction_bits = 0;
-      const Map_status status =
-        compute_seamless_map_of_patch(part, part.patches[0], frames.alpha, frames.rho, field.matching, field.index,
-                                      m_target_length, m_solver_traits, m_map, fraction_bits);
-      if(status == Map_status::CERTIFIED)
+      Seamless_map map;
+      compute_seamless_map<CGAL::Sequential_tag>(surface, frames.alpha, frames.rho, field.matching, field.index,
+                                                 target_length, m_solver_traits, map);
+      if(map.status[0] == Map_status::CERTIFIED)
       {
-        m_map.status[number] = status;
-        m_map.fraction_bits[number] = fraction_bits;
-        take(part.patches[0], field);
+        take(patch, field);
+        take(number, map);
         return pairs;
       }
     }
     return 0;
   }
 
+  Frame_field field_of_patch(const Patch& patch) const
+  {
+    Frame_field result;
+    result.alpha = part_of(m_field.alpha, patch.faces);
+    result.gamma = part_of(m_field.gamma, patch.faces);
+    result.matching = part_of(m_field.matching, patch.dual_edges);
+    result.index = part_of(m_field.index, patch.sectors);
+    return result;
+  }
+
+  // Puts the values of one patch into those of all.
+  template <typename T>
+  static void put_part(const std::vector<T>& part, const Index_range& range, std::vector<T>& values)
+  {
+    std::copy(part.begin(), part.end(), values.begin() + range.begin_index);
+  }
+
   void take(const Patch& patch, const Frame_field& field)
   {
-    const auto copy = [](const Index_range& range, const auto& from, auto& to)
-    {
-      std::copy(from.begin() + range.begin_index, from.begin() + range.end_index, to.begin() + range.begin_index);
-    };
-    copy(patch.faces, field.alpha, m_field.alpha);
-    copy(patch.faces, field.gamma, m_field.gamma);
-    copy(patch.dual_edges, field.omega, m_field.omega);
-    copy(patch.dual_edges, field.matching, m_field.matching);
-    copy(patch.sectors, field.index, m_field.index);
+    put_part(field.alpha, patch.faces, m_field.alpha);
+    put_part(field.gamma, patch.faces, m_field.gamma);
+    put_part(field.omega, patch.dual_edges, m_field.omega);
+    put_part(field.matching, patch.dual_edges, m_field.matching);
+    put_part(field.index, patch.sectors, m_field.index);
+  }
+
+  void take(const int number, const Seamless_map& map)
+  {
+    const Index_range halfedges = halfedges_of_patch(m_surface.patches[number]);
+    put_part(map.u, halfedges, m_map.u);
+    put_part(map.v, halfedges, m_map.v);
+    put_part(map.quarter_turns, halfedges, m_map.quarter_turns);
+    m_map.status[number] = map.status[0];
+    m_map.fraction_bits[number] = map.fraction_bits[0];
   }
 
   const Cut_surface& m_surface;
