@@ -643,6 +643,28 @@ TEST(Seamless_map, cancels_pairs_that_exclude_it)
   }
 }
 
+// Beside one another.
+Soup both(Soup first, const Soup& second)
+{
+  const int shift = static_cast<int>(first.points.size());
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for(const std::array<int, 3>& t : second.triangles)
+    first.triangles.push_back({ { t[0] + shift, t[1] + shift, t[2] + shift } });
+  for(const Edge& e : second.features)
+    first.features.insert({ e.first + shift, e.second + shift });
+  for(const auto& [vertex, index] : second.index_of_vertex)
+    first.index_of_vertex[vertex + shift] = index;
+  return first;
+}
+
+TEST(Seamless_map, cancels_pairs_in_one_patch_of_many)
+{
+  const Repaired_case repaired = repaired_case(both(cube(false), both(tube(1, false), cube(true))), true);
+  EXPECT_EQ(1, std::count(repaired.cancelled_pairs.begin(), repaired.cancelled_pairs.end(), 1));
+  EXPECT_EQ(std::vector<Map_status>(repaired.cancelled_pairs.size(), Map_status::CERTIFIED), repaired.map.status);
+  expect_valid(repaired.c, repaired.map);
+}
+
 TEST(Seamless_map, leaves_fields_alone_that_have_one)
 {
   const Repaired_case repaired = repaired_case(cube(false), true);
