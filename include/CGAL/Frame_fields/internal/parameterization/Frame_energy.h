@@ -38,9 +38,9 @@ class Map_elements
 public:
   struct Face
   {
-    std::array<int, 3> vertex;           // of the disk
-    std::array<Plane_vector, 3> gradient;    // of the hat functions of the vertices, in the frame
-    double area;                         // in the frame, in square target lengths
+    std::array<int, 3> vertex;            // of the disk
+    std::array<Plane_vector, 3> gradient; // of the hat functions of the vertices, in the frame
+    double area;                          // in the frame, in square target lengths
     double stiffness = 1;
   };
 

@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Frame_fields authors
 
-
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_PROPOSE_INDEX_TARGETS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_PROPOSE_INDEX_TARGETS_H
 
@@ -52,7 +51,7 @@ inline Way_to_index nearest_index(const Cut_surface& surface, const Patch& patch
     if(!(new_distance < distance[s - first]))
       return;
     distance[s - first] = new_distance;
-    queue.emplace_back( new_distance, s );
+    queue.emplace_back(new_distance, s);
     std::push_heap(queue.begin(), queue.end(), std::greater<Entry>());
   };
   while(!queue.empty())
