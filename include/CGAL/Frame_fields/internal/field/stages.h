@@ -13,8 +13,8 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/Field_without_corners.h>
 #include <CGAL/Frame_fields/internal/field/branch_pairs.h>
-#include <CGAL/Frame_fields/internal/field/closed_patch.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
@@ -74,9 +74,9 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
                                       std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
-  Closed_patch_arrays arrays;
-  if(!std::all_of(surface.patches.begin(), surface.patches.end(),
-                  [&](const Patch& patch) { return asks_for_direction(surface, patch); }))
+  Arrays_without_corners arrays;
+  if(std::any_of(surface.patches.begin(), surface.patches.end(),
+                 [&](const Patch& patch) { return is_patch_without_corners(surface, patch); }))
   {
     arrays.omega.resize(surface.number_of_dual_edges());
     arrays.demand.resize(surface.number_of_sectors());
@@ -87,9 +87,10 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
   {
     const Patch& patch = surface.patches[number];
     const Patch_result result = orthogonal_field_in_patch(surface, patch, omega, face_order, solver_traits, alpha);
-    if(result.error_code != OK || asks_for_direction(surface, patch) || has_index_targets(surface, patch))
+    if(result.error_code != OK || !is_patch_without_corners(surface, patch))
       return result;
-    return Closed_patch_field<SolverTraits>(surface, patch, omega, face_order, solver_traits, arrays, alpha).improve();
+    return Field_without_corners<SolverTraits>(surface, patch, omega, face_order, solver_traits, arrays, alpha)
+      .improve();
   });
 }
 
