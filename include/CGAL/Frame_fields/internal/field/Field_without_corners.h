@@ -68,9 +68,10 @@ struct Arrays_without_corners
   std::vector<int> matching, index;
 };
 
-// Lowers sum w (r - omega)^2 of the field of a patch without corners, in steps that no flow of the field takes. Singularities of opposite signs cancel where that pays. Along a handle a field turns by some multiple of a
-// quarter turn; the least rotation that gives all sectors their indices shows by which. A surface of one handle and a
-// ring may do without singularities at all. The field of a ring that has none is left as it is.
+// Lowers sum w (r - omega)^2 of the field of a patch without corners, in steps that no flow of the field takes.
+// Singularities of opposite signs cancel where that pays. Along a handle a field turns by some multiple of a quarter
+// turn; the least rotation that gives all sectors their indices shows by which. A surface of one handle and a ring may
+// do without singularities at all. The field of a ring that has none is left as it is.
 template <typename SolverTraits>
 class Field_without_corners
 {
