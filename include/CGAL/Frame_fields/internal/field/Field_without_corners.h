@@ -106,15 +106,16 @@ private:
       return;
     Smoother smoother(m_surface, m_patch, m_omega, m_face_order, m_solver_traits);
     smooth_with(smoother);
-    Pair_cancellation<SolverTraits>(m_surface, m_patch, m_omega, smoother, m_field, m_energy).run();
-    if(characteristic > 0 || !is_without_prescribed_rotation())
+    Pair_cancellation<SolverTraits>(m_surface, m_patch, m_omega, smoother, has_prescribed_rotation(), m_field,
+                                    m_energy).run();
+    if(characteristic > 0 || has_prescribed_rotation())
       return;
     try_indices(index_in_patch(m_patch, m_field.index), smoother, m_energy);
     if(characteristic == 0)
       try_without_singularities(smoother);
   }
 
-  // A ring that keeps all its singularities keeps its field.
+  // A ring that cannot do without singularities keeps its field.
   void improve_ring()
   {
     const Matched_field::State start = m_field.state();
@@ -122,8 +123,6 @@ private:
     smooth_with(smoother);
     try_without_singularities(smoother);
     if(has_singularity())
-      Pair_cancellation<SolverTraits>(m_surface, m_patch, m_omega, smoother, m_field, m_energy).run();
-    if(index_in_patch(m_patch, m_field.index) == start.index)
       m_field.restore(start);
   }
 
@@ -150,18 +149,19 @@ private:
                        m_field.index.begin() + m_patch.sectors.end_index, predicate);
   }
 
-  bool is_without_prescribed_rotation() const
+  bool has_prescribed_rotation() const
   {
-    return std::all_of(m_omega.begin() + m_patch.dual_edges.begin_index,
-                       m_omega.begin() + m_patch.dual_edges.end_index, [](const double omega) { return omega == 0; });
+    return std::any_of(m_omega.begin() + m_patch.dual_edges.begin_index,
+                       m_omega.begin() + m_patch.dual_edges.end_index, [](const double omega) { return omega != 0; });
   }
 
   // What a field without singularities may cost more for each index of 1/4 that is gone: a quarter turn over two edges,
   // the fewest that it can be spread over, since a nearest matching leaves an eighth of a turn across an edge at most.
   // Coarse faces and faces much longer than wide would keep pairs otherwise, which flatten the field around them.
+  // Nothing if a rotation is prescribed: that may ask for singularities.
   void try_without_singularities(Smoother& smoother)
   {
-    const double price_of_index = 2 * (CGAL_PI / 4) * (CGAL_PI / 4);
+    const double price_of_index = has_prescribed_rotation() ? 0 : 2 * (CGAL_PI / 4) * (CGAL_PI / 4);
     try_indices(std::vector<int>(m_patch.sectors.size(), 0), smoother,
                 m_energy + price_of_index * m_field.sum_of_absolute_indices());
   }
