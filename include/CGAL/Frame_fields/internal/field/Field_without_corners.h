@@ -155,13 +155,15 @@ private:
                        m_omega.begin() + m_patch.dual_edges.end_index, [](const double omega) { return omega != 0; });
   }
 
-  // What a field without singularities may cost more for each index of 1/4 that is gone: a quarter turn over two edges,
-  // the fewest that it can be spread over, since a nearest matching leaves an eighth of a turn across an edge at most.
-  // Coarse faces and faces much longer than wide would keep pairs otherwise, which flatten the field around them.
-  // Nothing if a rotation is prescribed: that may ask for singularities.
+  // What a field of a closed patch without singularities may cost more for each index of 1/4 that is gone: a quarter
+  // turn over two edges, the fewest that it can be spread over, since a nearest matching leaves an eighth of a turn
+  // across an edge at most. Coarse faces and faces much longer than wide would keep pairs otherwise, which flatten the
+  // field around them. Nothing if a rotation is prescribed, which may ask for singularities, and on a ring, whose
+  // borders hold the field.
   void try_without_singularities(Smoother& smoother)
   {
-    const double price_of_index = has_prescribed_rotation() ? 0 : 2 * (CGAL_PI / 4) * (CGAL_PI / 4);
+    const bool has_price = !has_prescribed_rotation() && !asks_for_direction(m_surface, m_patch);
+    const double price_of_index = has_price ? 2 * (CGAL_PI / 4) * (CGAL_PI / 4) : 0;
     try_indices(std::vector<int>(m_patch.sectors.size(), 0), smoother,
                 m_energy + price_of_index * m_field.sum_of_absolute_indices());
   }
