@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Mesh_elements.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh_arrays.h>
 
