@@ -34,6 +34,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The sharp corners of the patch in increasing order; `bound` is in radians.
 inline std::vector<int> sharp_corners_of_patch(const Cut_surface& surface, const Patch& patch, const double bound)
 {
   std::vector<int> result;

@@ -39,6 +39,7 @@ namespace internal {
 
 // The stages of the pipeline on all patches. Values on dual edges belong to their first halfedge.
 
+// Sets omega, in radians per dual edge (Section 3.2 of the paper).
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result prescribe_rotation(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
                                 std::vector<double>& omega)
@@ -68,6 +69,8 @@ std::vector<int> order_faces(const Cut_surface& surface, const SolverTraits& sol
   return result;
 }
 
+// Sets alpha, in radians per face (Section 3.3 of the paper), for omega per dual edge. `face_order` is that of
+// `order_faces()`.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
                                       const std::vector<int>& face_order, const SolverTraits& solver_traits,
@@ -94,6 +97,7 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
   });
 }
 
+// Sets 4 I per sector.
 template <typename ConcurrencyTag>
 Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, std::vector<int>& index)
@@ -134,6 +138,8 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
   return result;
 }
 
+// Sets gamma, in radians per face and branch (Section 3.4 of the paper), and counts the faces whose skewness was
+// clamped.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
                    const Options& options, const std::vector<int>& face_order, const SolverTraits& solver_traits,

@@ -72,6 +72,7 @@ Options options_from(const NamedParameters& np)
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };
 }
 
+// An error that names the first number out of its range, or success.
 inline Result check(const Options& options)
 {
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))
