@@ -409,6 +409,17 @@ TEST(T_mesh, boundary_of_an_annulus_gets_one_virtual_port)
     lengths.push_back(piece.parametric_length / unit);
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ((std::vector<std::int64_t>{ 2, 6, 6 }), lengths);
+
+  // Where an arc has a node, the port is there, and no further node comes about.
+  for(int s = 0; s < grid.surface.number_of_sectors(); ++s)
+    if(grid.surface.is_constrained_sector(s))
+    {
+      grid.is_arc_node[s] = 1;
+      const T_mesh mesh_with_node = t_meshes(grid)[0];
+      EXPECT_EQ(3u, mesh_with_node.pieces.size());
+      EXPECT_EQ(2u, mesh_with_node.nodes.size());
+      grid.is_arc_node[s] = 0;
+    }
 }
 
 // Lines that do not close after one turn are ended by the perpendicular ones.

@@ -9,10 +9,13 @@
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
 #include <CGAL/Frame_fields/internal/field/rotation_demand.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
+#include <CGAL/Frame_fields/internal/field/vanishing_values.h>
 #include <CGAL/Frame_fields/internal/linear/assemble.h>
 #include <CGAL/Frame_fields/internal/linear/smallest_eigenvector.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/streamlines/Branch_directions.h>
+#include <CGAL/Frame_fields/internal/streamlines/Face_neighborhood.h>
+#include <CGAL/Frame_fields/internal/streamlines/Streamline_distances.h>
 #include <CGAL/Frame_fields/internal/streamlines/evenly_spaced_streamlines.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
@@ -54,8 +57,9 @@ struct Test_surface : Cut_surface
 {
   std::vector<int> vertex; // per halfedge: at its target
 
+  // The edge between the vertices 0 and 1 is constrained, too, if `is_slit`.
   Test_surface(const Points& points, const Triangles& triangles,
-               const FF::Edge_weighting weighting = FF::Edge_weighting::UNIFORM)
+               const FF::Edge_weighting weighting = FF::Edge_weighting::UNIFORM, const bool is_slit = false)
   {
     std::map<std::pair<int, int>, int> halfedge_between;
     for(const std::array<int, 3>& t : triangles)
@@ -67,7 +71,8 @@ struct Test_surface : Cut_surface
     for(std::size_t h = 0; h < vertex.size(); ++h)
     {
       const auto other = halfedge_between.find({ vertex[h], vertex[previous_of(static_cast<int>(h))] });
-      opposite.push_back(other == halfedge_between.end() ? -1 : other->second);
+      const bool is_in_slit = is_slit && vertex[h] + vertex[previous_of(static_cast<int>(h))] == 1;
+      opposite.push_back(other == halfedge_between.end() || is_in_slit ? -1 : other->second);
     }
     for(const std::array<int, 3>& t : triangles)
     {
@@ -302,6 +307,42 @@ TEST(Repair, leaves_no_corner_unmeshable_where_there_is_no_room_inside)
   EXPECT_GT(number_of_unmeshable_ones, 20);
 }
 
+// Two triangles glued along two sides: a pillow whose third side is constrained, with one sector inside. Together they
+// have 4, and the sector inside takes 1 as long as there is room elsewhere.
+TEST(Repair, keeps_sectors_on_constrained_edges_natural_where_there_is_no_room_for_all)
+{
+  std::mt19937 generator(19);
+  int number_of_unnatural_ones = 0, number_of_large_ones = 0;
+  for(const double height : { 0.3, 0.9, 3. })
+  {
+    const Test_surface surface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, height, 0 } }, { { { 0, 1, 2 } }, { { 1, 0, 2 } } },
+                               FF::Edge_weighting::UNIFORM, true);
+    for(int i = 0; i < 100; ++i)
+    {
+      const Repair_of_polygon repair = repair_of_polygon(surface, 5, generator);
+      int too_much = 0, room = 0, left = 0;
+      for(int s = 0; s < surface.number_of_sectors(); ++s)
+      {
+        const int rounded = repair.rounded_index[s];
+        if(!surface.is_constrained_sector(s))
+        {
+          room += (std::max)(0, 1 - rounded);
+          number_of_large_ones += rounded > 1;
+          continue;
+        }
+        EXPECT_LE(repair.index[s], 1) << height;
+        too_much += (std::max)(0, rounded - natural_index(surface, s));
+        room += (std::max)(0, natural_index(surface, s) - rounded);
+        left += (std::max)(0, repair.index[s] - natural_index(surface, s));
+      }
+      EXPECT_LE(left, (std::max)(0, too_much - room)) << height;
+      number_of_unnatural_ones += too_much > 0;
+    }
+  }
+  EXPECT_GT(number_of_unnatural_ones, 50);
+  EXPECT_GT(number_of_large_ones, 50);
+}
+
 // The tips take one quarter each, and what they take is missing inside, the same everywhere but for one quarter.
 TEST(Repair, takes_evenly_from_the_sectors_inside)
 {
@@ -528,6 +569,42 @@ TEST(Smallest_eigenvector, is_found_on_a_long_ring)
     EXPECT_NEAR(1 / std::sqrt(1. * n), std::abs(z[i]), 1e-6);
 }
 
+// A field of which only the values of two neighbors vanish.
+struct Field_without_anchor
+{
+  const Cut_surface& surface;
+
+  bool is_anchored() const { return false; }
+  int unknown(const int face) const { return face; }
+  Complex transport(const int e) const { return std::polar(1., 4 * surface.transport[e]); }
+};
+
+// The sum of the fourth powers of the sides of a triangle as complex numbers, divided by those of its circumdiameter.
+Complex mean_of_sides(const Cut_surface& surface, const int face)
+{
+  Complex sum = 0;
+  for(int h = 3 * face; h < 3 * face + 3; ++h)
+    sum += std::pow(std::polar(std::sin(surface.angle[next_of(h)]), halfedge_angle(surface, h)), 4);
+  return sum;
+}
+
+TEST(Vanishing_values, of_neighbors_get_the_mean_direction_of_their_sides)
+{
+  std::mt19937 generator(20);
+  const Test_surface surface = random_star(generator, 7, FF::Edge_weighting::UNIFORM);
+  for(int e = 0; e < surface.number_of_dual_edges(); ++e)
+  {
+    const int i = face_of(surface.dual_edges[e].halfedge), j = face_of(surface.dual_edges[e].opposite);
+    std::vector<Complex> z(surface.number_of_faces(), 1);
+    z[i] = z[j] = 0;
+    const Field_without_anchor field{ surface };
+    Field_without_zeros<Field_without_anchor>(surface, surface.patches[0], field, {}, z).replace_vanishing_values();
+    const Complex mean = mean_of_sides(surface, i) + field.transport(e) * mean_of_sides(surface, j);
+    EXPECT_LT(std::abs(z[i] - mean), 1e-12) << e;
+    EXPECT_LT(std::abs(field.transport(e) * z[j] - mean), 1e-12) << e;
+  }
+}
+
 TEST(Nearest_matching, turns_the_branches_least)
 {
   std::mt19937 generator(15);
@@ -631,6 +708,34 @@ TEST(Streamlines, begin_at_nine_tenths_of_the_spacing_from_others)
         EXPECT_GT(2 * spacing, places_of_lines[i] - places_of_lines[i - 1]) << spacing;
       }
     }
+  }
+}
+
+// A line is near to another one wherever it is, but to itself only beside what is more than three distances back.
+TEST(Streamline_distances, do_not_see_what_was_traced_just_before)
+{
+  const Test_surface surface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { { 0, 1, 2 } } });
+  const Face_charts charts(surface);
+  const Branch_directions directions(surface, { 0 }, { 0 }, {});
+  Face_neighborhood neighborhood(charts, directions, surface.patches[0]);
+  Streamline_distances distances(charts, directions, surface.patches[0], neighborhood);
+  const Corner_weights from{ 0.1, 0.3, 0.6 }, middle{ 0.3, 0.3, 0.4 }, to{ 0.5, 0.3, 0.2 }; // along halfedge 0
+  const Plane_vector way = charts.place(0, to) - charts.place(0, from);
+  const double length = std::hypot(way.x, way.y), distance = length / 20;
+  const int line = 7;
+  distances.add({ 0, 0, from, to, length }, { line, 100 }, 1, length);
+
+  const Plane_vector along = (1 / length) * way;
+  const Chart_point beside{ 0, 0, charts.place(0, middle) + 0.5 * distance * quarter_turn(along) };
+  const Chart_point beyond{ 0, 0, charts.place(0, to) + 0.5 * distance * along };
+  EXPECT_FALSE(distances.is_line_near(beside, 0.4 * distance, { line + 1, 0 }));
+  for(const Chart_point& point : { beside, beyond })
+    EXPECT_TRUE(distances.is_line_near(point, distance, { line + 1, 0 }));
+  for(const double sign : { -1., 1. })
+  {
+    EXPECT_FALSE(distances.is_line_near(beside, distance, { line, 100 + length / 2 + sign * 2.9 * distance }));
+    EXPECT_TRUE(distances.is_line_near(beside, distance, { line, 100 + length / 2 + sign * 3.1 * distance }));
+    EXPECT_FALSE(distances.is_line_near(beyond, distance, { line, 100 + length + sign * 9 * distance }));
   }
 }
 

@@ -38,6 +38,18 @@ Model round_torus(const int m, const int n, const double noise)
   });
 }
 
+// A part of a torus of radii 3 and 1, open at its ends.
+Model bent_pipe(const double bend_degrees)
+{
+  const int n = 16;
+  const double bend = bend_degrees * degree;
+  return grid(static_cast<int>(3 * bend / turn * n), n, false, true, [bend](const double u, const double v)
+  {
+    const double radius = 3 + std::cos(turn * v);
+    return Point(radius * std::cos(bend * u), radius * std::sin(bend * u), std::sin(turn * v));
+  });
+}
+
 // The sum of squared rotations of the field along the parallels of a torus around the z axis.
 double energy_of_parallels(const Cut& cut)
 {
@@ -111,6 +123,25 @@ TYPED_TEST(Closed_surface, torus_has_no_singularities)
       EXPECT_EQ(std::vector<int>(field.index.size(), 0), field.index);
       EXPECT_LT(field.statistics.energy_orthogonal, energy_of_parallels(cut));
     }
+}
+
+// On coarse meshes, and on meshes much finer in one direction, six and four pairs would flatten the field around them.
+TYPED_TEST(Closed_surface, torus_of_long_or_coarse_faces_has_no_singularities)
+{
+  EXPECT_EQ(std::vector<int>(), this->sorted_singular_indices(round_torus(12, 6, 0)));
+  EXPECT_EQ(std::vector<int>(), this->sorted_singular_indices(round_torus(24, 24, 0)));
+}
+
+// The solution of the linear system has two and four pairs on these.
+TYPED_TEST(Closed_surface, bent_pipe_with_open_ends_has_no_singularities)
+{
+  for(const double bend : { 90., 270. })
+  {
+    const Cad_mesh<TypeParam> cad_mesh(bent_pipe(bend));
+    const Field field = frame_field(cad_mesh);
+    EXPECT_EQ(std::vector<int>(field.index.size(), 0), field.index);
+    EXPECT_LT(largest_misalignment(cad_mesh.cut(), field), 1e-9);
+  }
 }
 
 TYPED_TEST(Closed_surface, ellipsoid_has_eight_singularities_of_a_quarter)

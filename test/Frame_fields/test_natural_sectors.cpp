@@ -5,9 +5,11 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -137,6 +139,60 @@ TYPED_TEST(Natural_sectors, are_the_same_for_congruent_corners)
         {
           EXPECT_EQ(0, index[s]) << "two quadrangles at an angle of " << cut.theta[s];
         }
+    }
+}
+
+// A prism of height 1 over an octagon whose angles are all of 135 degrees: `cut` is taken off the corners of a square.
+Model octagonal_prism(const double cut)
+{
+  std::vector<Point> points;
+  for(const double x : { -1., 1. })
+    for(const double y : { -1., 1. })
+      for(const double z : { 0., 1. })
+      {
+        points.emplace_back(x * (1 - cut), y, z);
+        points.emplace_back(x, y * (1 - cut), z);
+      }
+  return with_sharp_edges(convex_hull(points));
+}
+
+// Turns the model by a random rotation.
+Model turned(const Model& model, std::mt19937& generator)
+{
+  std::array<double, 4> q;
+  double norm = 0;
+  for(double& x : q)
+  {
+    x = generator() / 2147483648. - 1;
+    norm += x * x;
+  }
+  const double w = q[0], s = 2 / norm;
+  const Vector axis(q[1], q[2], q[3]);
+  return transformed(model, [=](const Point& p)
+  {
+    const Vector v = p - CGAL::ORIGIN, c = CGAL::cross_product(axis, v);
+    return p + s * (w * c + CGAL::cross_product(axis, c));
+  });
+}
+
+TYPED_TEST(Natural_sectors, are_the_same_for_congruent_corners_of_prisms_turned_in_space)
+{
+  std::mt19937 generator(21);
+  for(const double cut : { 2 - std::sqrt(2.), 0.1, 0.5 }) // regular, or a box with chamfers
+    for(int i = 0; i < 4; ++i)
+    {
+      const Cad_mesh<TypeParam> cad_mesh(turned(octagonal_prism(cut), generator), false);
+      ASSERT_TRUE(FF::prepare_for_frame_field(const_cast<TypeParam&>(cad_mesh.mesh), cad_mesh.features()));
+      const Cut cut_mesh = cad_mesh.cut();
+      const std::vector<int> index = index_of_sectors(cut_mesh, frame_field(cad_mesh).index);
+      int number_of_ties = 0;
+      for(int s = 0; s < cut_mesh.number_of_sectors(); ++s)
+        if(cut_mesh.is_constrained_sector[s] && std::abs(cut_mesh.theta[s] - 135 * degree) < 1e-6)
+        {
+          ++number_of_ties;
+          EXPECT_EQ(0, index[s]) << cut << " " << i;
+        }
+      EXPECT_EQ(16, number_of_ties);
     }
 }
 

@@ -41,8 +41,9 @@ aligned with that edge.
 A patch without any constrained edge, whose minimizer is 0, starts from the \f$ z \f$ of unit norm with the smallest
 energy, an eigenvector to the smallest eigenvalue of the same hermitian matrix. From there it goes to a local minimum of
 \f$ \sum (r_{ij} - \omega_{ij})^2 \f$, and pairs of singularities of opposite signs are canceled where that lowers this
-sum, see Section \ref Frame_fieldsOrthogonal. The field is determined up to a common rotation of all frames. It does not
-depend on the number of threads.
+sum plus a price of irregular vertices, see Section \ref Frame_fieldsOrthogonal. The field is determined up to a common
+rotation of all frames. A patch between two closed curves without corners gets a field without singularities if that has
+a smaller sum. The field does not depend on the number of threads.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam AlphaMap a class model of `WritablePropertyMap` with

@@ -23,11 +23,12 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The numbers among the named parameters of the detection; `check()` tells their ranges.
 struct Feature_options
 {
   double strong_angle, weak_angle; // degrees
-  double minimum_chain_length;
-  std::optional<double> coordinate_error;
+  double minimum_chain_length;            // in units of the mesh
+  std::optional<double> coordinate_error; // in units of the mesh; by default, from the coordinates
   bool closes_gaps;
 };
 

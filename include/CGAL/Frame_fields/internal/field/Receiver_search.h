@@ -28,6 +28,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Removes the corners that get a rotation prescribed: what they take, others give.
 inline void remove_corners(const Cut_surface& surface, const Corner_bounds& bounds, std::vector<int>& sectors)
 {
   sectors.erase(std::remove_if(sectors.begin(), sectors.end(),
@@ -78,6 +79,7 @@ inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const s
   return receivers;
 }
 
+// The nearest sector along the surface that is not a corner, as the only receiver; none if all are corners.
 inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const int corner,
                                               const Corner_bounds& bounds, Geodesic_distances& distances)
 {

@@ -16,6 +16,8 @@
 #include <CGAL/Frame_fields/internal/matching/meshable_matching.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -24,8 +26,10 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Cancels pairs of a positive and a negative index in a patch that asks for no direction, where that lowers
-// sum w (r - omega)^2, and keeps the field smoothed.
+// Cancels pairs of a positive and a negative index in a patch whose natural indices are 0, where that lowers
+// sum w (r - omega)^2 plus a price for each index of 1/4, which a quadrangle mesh pays with an irregular vertex. The
+// price is the least that an index costs in the ring of a regular vertex, six times the square of pi / 12. There is
+// none where a rotation is prescribed, which may ask for singularities. Keeps the field smoothed.
 //
 // Each trial moves the indices of a batch of positive sectors to the negative ones that are the cheapest to reach, and
 // smooths the field with this matching. Batches are halved after each round, so that a few pairs are tried one by one
@@ -35,8 +39,10 @@ class Pair_cancellation
 {
 public:
   Pair_cancellation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
-                    Field_of_matching<SolverTraits>& smoother, Matched_field& field, double& energy)
-    : m_surface(surface), m_patch(patch), m_omega(omega), m_smoother(smoother), m_field(field), m_energy(energy)
+                    Field_of_matching<SolverTraits>& smoother, const bool has_prescribed_rotation,
+                    Matched_field& field, double& energy)
+    : m_surface(surface), m_patch(patch), m_omega(omega), m_smoother(smoother)
+    , m_price_of_index(has_prescribed_rotation ? 0 : CGAL_PI * CGAL_PI / 24), m_field(field), m_energy(energy)
   {}
 
   void run()
@@ -74,12 +80,14 @@ private:
 
   void try_to_cancel(const std::vector<int>& sectors)
   {
+    const double old_cost = m_energy + m_price_of_index * m_field.sum_of_absolute_indices();
     const Matched_field::State old_state = m_field.state();
     Meshable_matching matching(m_surface, m_patch, m_omega, m_field.alpha, m_field.matching, m_field.index);
     for(const int s : sectors)
       matching.cancel_with_negative(s);
     double energy;
-    if(m_smoother.smooth(m_field.matching, m_field.alpha, energy) && energy < m_energy)
+    if(m_smoother.smooth(m_field.matching, m_field.alpha, energy)
+       && energy + m_price_of_index * m_field.sum_of_absolute_indices() < old_cost)
       m_energy = energy;
     else
       m_field.restore(old_state);
@@ -89,6 +97,7 @@ private:
   const Patch& m_patch;
   const std::vector<double>& m_omega;
   Field_of_matching<SolverTraits>& m_smoother;
+  const double m_price_of_index;
   Matched_field& m_field;
   double& m_energy;
 };

@@ -57,6 +57,15 @@ public:
     std::copy(state.index.begin(), state.index.end(), index.begin() + m_patch.sectors.begin_index);
   }
 
+  // The sum of |4 I| over the patch.
+  double sum_of_absolute_indices() const
+  {
+    double sum = 0;
+    for(int s = m_patch.sectors.begin_index; s < m_patch.sectors.end_index; ++s)
+      sum += std::abs(index[s]);
+    return sum;
+  }
+
   std::vector<double>& alpha;
   std::vector<int>& matching;
   std::vector<int>& index;
@@ -71,7 +80,8 @@ private:
   const Patch& m_patch;
 };
 
-// The field of least sum w (r - omega)^2 with a given matching, in a patch in which no face is aligned.
+// The field of least sum w (r - omega)^2 with a given matching. Aligned faces keep their frames; where there are none,
+// one face does.
 template <typename SolverTraits>
 class Field_of_matching
 {
@@ -81,9 +91,16 @@ public:
     : m_surface(surface), m_patch(patch), m_omega(omega), m_unknown(patch.faces.size())
     , m_solver(solver_traits.real_solver_object())
   {
+    const bool has_aligned_faces = std::any_of(face_order.begin() + patch.faces.begin_index,
+                                               face_order.begin() + patch.faces.end_index,
+                                               [&](const int f) { return surface.is_aligned(f); });
+    int next_unknown = has_aligned_faces ? 0 : -1; // -1: stays
     for(int place = patch.faces.begin_index; place < patch.faces.end_index; ++place)
-      m_unknown[face_order[place] - patch.faces.begin_index] = place - patch.faces.begin_index - 1; // -1: stays
-    m_matrix = assemble<double>(patch.faces.size() - 1, [&](const auto& add)
+    {
+      const int f = face_order[place];
+      m_unknown[f - patch.faces.begin_index] = surface.is_aligned(f) ? -1 : next_unknown++;
+    }
+    m_matrix = assemble<double>(next_unknown, [&](const auto& add)
     {
       for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
       {
@@ -136,7 +153,7 @@ private:
   const Cut_surface& m_surface;
   const Patch& m_patch;
   const std::vector<double>& m_omega;
-  std::vector<int> m_unknown; // per face of the patch, -1 for the one that stays
+  std::vector<int> m_unknown; // per face of the patch, -1 for those that stay
   decltype(std::declval<const SolverTraits&>().real_solver_object()) m_solver;
   Hermitian_matrix<double> m_matrix;
   bool m_is_factored;

@@ -47,6 +47,7 @@ struct Frame_field
   int number_of_clamped_faces = 0;
 };
 
+// Runs all stages; stops at the first one that fails.
 template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
 Patch_result compute_frame_field(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
                                  StageClock& clock, Frame_field& field)
@@ -98,6 +99,7 @@ inline std::vector<int> repaired_sectors_of(const Frame_field& field)
   return result;
 }
 
+// The sectors with `predicate(s)`, in increasing order.
 template <typename Predicate>
 std::vector<int> sectors_that(const Cut_surface& surface, const Predicate& predicate)
 {

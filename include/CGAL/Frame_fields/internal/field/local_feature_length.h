@@ -24,6 +24,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Whether a constrained curve has a corner in a sector.
 inline bool is_far_from_straight(const Cut_surface& surface, const int sector)
 {
   return std::abs(surface.total_angle[sector] - CGAL_PI) > CGAL_PI / 4;

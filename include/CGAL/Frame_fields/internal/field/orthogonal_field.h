@@ -169,7 +169,15 @@ bool solve_orthogonal_field(Solver& solver, const Orthogonal_field_system& syste
       && Falling_values<Solver>(solver, matrix, right_hand_side, z).find(level);
 }
 
-// Writes alpha on the faces of the patch.
+// Writes alpha on the faces of the patch, given the values of the unknowns.
+inline void write_alpha(const Cut_surface& surface, const Patch& patch, const Orthogonal_field_system& system,
+                        const std::vector<Complex>& z, std::vector<double>& alpha)
+{
+  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f) : std::arg(z[system.unknown(f)]) / 4;
+}
+
+// Writes the smoothest field on the faces of the patch.
 template <typename SolverTraits>
 Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& patch,
                                        const std::vector<double>& omega, const std::vector<int>& face_order,
@@ -183,9 +191,7 @@ Patch_result orthogonal_field_in_patch(const Cut_surface& surface, const Patch& 
     return { ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, patch.sectors.begin_index };
 
   Field_without_zeros<Orthogonal_field_system>(surface, patch, system, level, z).replace_vanishing_values();
-  for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
-    alpha[f] = system.unknown(f) < 0 ? aligned_alpha(surface, f)
-                                     : std::arg(z[system.unknown(f)]) / 4;
+  write_alpha(surface, patch, system, z, alpha);
   return {};
 }
 

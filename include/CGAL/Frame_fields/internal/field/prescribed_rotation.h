@@ -34,6 +34,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The sharp corners of the patch in increasing order; `bound` is in radians.
 inline std::vector<int> sharp_corners_of_patch(const Cut_surface& surface, const Patch& patch, const double bound)
 {
   std::vector<int> result;
@@ -140,14 +141,11 @@ bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const s
   return true;
 }
 
-// d omega that gives each sector of the patch its target index (eq. (3) of the paper).
-inline void demand_index_targets(const Cut_surface& surface, const Patch& patch, std::vector<double>& demand)
+// d omega that gives a sector the index I, where `index` is 4 I (eq. (3) of the paper).
+inline double demand_of_index(const Cut_surface& surface, const int sector, const int index)
 {
-  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
-  {
-    const double turns = target_of_sector(surface, s) / 4. - (surface.is_constrained_sector(s) ? 0.5 : 1);
-    demand[s] = surface.total_angle[s] + 2 * CGAL_PI * turns;
-  }
+  const double turns = index / 4. - (surface.is_constrained_sector(sector) ? 0.5 : 1);
+  return surface.total_angle[sector] + 2 * CGAL_PI * turns;
 }
 
 // Sets the demand of the patch. Returns false in `is_needed` if it is zero everywhere.
@@ -160,7 +158,8 @@ inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, c
     const long long missing = missing_index(surface, patch);
     if(missing != 0)
       return { ERROR_POINCARE_HOPF, patch.sectors.begin_index, missing };
-    demand_index_targets(surface, patch, demand);
+    for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+      demand[s] = demand_of_index(surface, s, target_of_sector(surface, s));
     return {};
   }
   const Corner_bounds bounds = bounds_that_leave_a_receiver(surface, patch, given_bounds);

@@ -34,7 +34,8 @@ inline double rotation_demand_of_corner(const double total_angle)
 }
 
 // Adds to `demand` (K of the paper) what the corners of the patch ask for and takes it from their receivers.
-// Returns -1, or a corner that has no receiver; the strategies `none` and `local` have no demand.
+// `corners` must not be empty, and `demand` must be 0 in the patch before; it is in radians, per sector. Returns -1,
+// or a corner that has no receiver. The strategies `none` and `local` have no demand.
 inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch,
                                   const std::vector<int>& corners, const Support_strategy& strategy,
                                   const Corner_bounds& bounds, std::vector<double>& demand)

@@ -13,8 +13,8 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_FIELD_STAGES_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/field/Field_without_corners.h>
 #include <CGAL/Frame_fields/internal/field/branch_pairs.h>
-#include <CGAL/Frame_fields/internal/field/closed_patch.h>
 #include <CGAL/Frame_fields/internal/field/orthogonal_field.h>
 #include <CGAL/Frame_fields/internal/field/prescribed_rotation.h>
 #include <CGAL/Frame_fields/internal/field/relaxation.h>
@@ -39,6 +39,7 @@ namespace internal {
 
 // The stages of the pipeline on all patches. Values on dual edges belong to their first halfedge.
 
+// Sets omega, in radians per dual edge (Section 3.2 of the paper).
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result prescribe_rotation(const Cut_surface& surface, const Options& options, const SolverTraits& solver_traits,
                                 std::vector<double>& omega)
@@ -68,15 +69,17 @@ std::vector<int> order_faces(const Cut_surface& surface, const SolverTraits& sol
   return result;
 }
 
+// Sets alpha, in radians per face (Section 3.3 of the paper), for omega per dual edge. `face_order` is that of
+// `order_faces()`.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vector<double>& omega,
                                       const std::vector<int>& face_order, const SolverTraits& solver_traits,
                                       std::vector<double>& alpha)
 {
   alpha.resize(surface.number_of_faces());
-  Closed_patch_arrays arrays;
-  if(!std::all_of(surface.patches.begin(), surface.patches.end(),
-                  [&](const Patch& patch) { return asks_for_direction(surface, patch); }))
+  Arrays_without_corners arrays;
+  if(std::any_of(surface.patches.begin(), surface.patches.end(),
+                 [&](const Patch& patch) { return is_patch_without_corners(surface, patch); }))
   {
     arrays.omega.resize(surface.number_of_dual_edges());
     arrays.demand.resize(surface.number_of_sectors());
@@ -87,12 +90,14 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
   {
     const Patch& patch = surface.patches[number];
     const Patch_result result = orthogonal_field_in_patch(surface, patch, omega, face_order, solver_traits, alpha);
-    if(result.error_code != OK || asks_for_direction(surface, patch) || has_index_targets(surface, patch))
+    if(result.error_code != OK || !is_patch_without_corners(surface, patch))
       return result;
-    return Closed_patch_field<SolverTraits>(surface, patch, omega, face_order, solver_traits, arrays, alpha).improve();
+    return Field_without_corners<SolverTraits>(surface, patch, omega, face_order, solver_traits, arrays, alpha)
+      .improve();
   });
 }
 
+// Sets 4 I per sector.
 template <typename ConcurrencyTag>
 Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, std::vector<int>& index)
@@ -133,6 +138,8 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
   return result;
 }
 
+// Sets gamma, in radians per face and branch (Section 3.4 of the paper), and counts the faces whose skewness was
+// clamped.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
                    const Options& options, const std::vector<int>& face_order, const SolverTraits& solver_traits,

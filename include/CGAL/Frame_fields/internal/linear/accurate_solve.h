@@ -107,6 +107,7 @@ bool accurate_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix, cons
   return false;
 }
 
+// Factors the matrix and solves as `accurate_solve()` does; a system without unknowns has the empty solution.
 template <typename Solver, typename Scalar>
 bool factor_and_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix,
                       const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)

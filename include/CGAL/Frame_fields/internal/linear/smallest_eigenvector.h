@@ -25,6 +25,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The matrix, of which the lower triangle is stored, times a vector.
 template <typename Scalar>
 std::vector<Scalar> product(const Hermitian_matrix<Scalar>& matrix, const std::vector<Scalar>& x)
 {

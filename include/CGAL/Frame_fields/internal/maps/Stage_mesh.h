@@ -30,6 +30,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// An error that names the first face with more than one constrained edge, or success.
 template <typename TriangleMesh>
 Result find_overconstrained_face(const Cut_mesh<TriangleMesh>& cut_mesh)
 {
@@ -129,6 +130,7 @@ private:
   Cut_mesh<Triangle_mesh> m_guided;
 };
 
+// Refuses numbers out of range before the mesh is cut.
 template <typename StageMesh>
 Result check_and_cut(const Options& options, StageMesh& stage_mesh)
 {

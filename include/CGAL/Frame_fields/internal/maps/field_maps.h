@@ -34,6 +34,7 @@ namespace internal {
 
 // Between flat arrays and the caller's property maps and named parameters.
 
+// The result for the caller: the error of a patch with the place in the mesh where it is.
 template <typename CutMesh>
 Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
 {

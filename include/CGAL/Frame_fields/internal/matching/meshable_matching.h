@@ -25,6 +25,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Whether a sector on constrained edges has no room for a quadrangle.
 inline bool is_unmeshable(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
   return index[sector] > maximum_meshable_index && surface.is_constrained_sector(sector);
@@ -174,6 +175,7 @@ inline std::vector<Repaired_sector> changed_sectors(const Patch& patch, const st
   return result;
 }
 
+// The indices of the sectors of the patch.
 inline std::vector<int> index_in_patch(const Patch& patch, const std::vector<int>& index)
 {
   return std::vector<int>(index.begin() + patch.sectors.begin_index, index.begin() + patch.sectors.end_index);

@@ -35,16 +35,16 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The numbers among the named parameters.
+// The numbers among the named parameters; `check()` tells their ranges.
 struct Options
 {
-  double sharp_corner_bound;
-  double blunt_corner_bound;
+  double sharp_corner_bound; // radians
+  double blunt_corner_bound; // radians
   Support_strategy support_strategy;
   bool repair_matching;
-  double maximum_skewness;
+  double maximum_skewness; // radians
   double orthogonality_weight;
-  std::optional<double> orthogonality_length;
+  std::optional<double> orthogonality_length; // in units of the mesh; by default, from the areas of the patches
   Edge_weighting edge_weighting;
   bool relax_orthogonality;
   bool measures_lengths = false; // even if no stage needs them
@@ -72,6 +72,7 @@ Options options_from(const NamedParameters& np)
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };
 }
 
+// An error that names the first number out of its range, or success.
 inline Result check(const Options& options)
 {
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))

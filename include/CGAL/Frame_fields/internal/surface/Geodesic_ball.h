@@ -55,6 +55,7 @@ inline std::array<double, 3> hat_integrals_below(const std::array<double, 3>& va
   return result;
 }
 
+// A third of the areas of the faces at each corner of the sector.
 inline double sector_area(const Cut_surface& surface, const int sector)
 {
   double sum = 0;
@@ -63,6 +64,7 @@ inline double sector_area(const Cut_surface& surface, const int sector)
   return sum;
 }
 
+// A sector, and the integral of its hat function over a part of the patch.
 struct Sector_share
 {
   int sector;

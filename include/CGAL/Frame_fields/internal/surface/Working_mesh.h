@@ -12,145 +12,26 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_WORKING_MESH_H
 
-#include <CGAL/Frame_fields/internal/surface/Refinement_origin.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
+#include <CGAL/Frame_fields/internal/surface/Mesh_elements.h>
+#include <CGAL/Frame_fields/internal/surface/Working_mesh_arrays.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Iterator_range.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
-#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/iterator_facade.hpp>
 
 #include <array>
 #include <cstddef>
-#include <iostream>
-#include <memory>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The number of an element of a mesh, one type per kind of element.
-template <typename Kind>
-struct Element_index
-{
-  int value = -1;
-
-  Element_index() = default;
-  explicit Element_index(const int v) : value(v) {}
-
-  friend bool operator==(const Element_index a, const Element_index b) { return a.value == b.value; }
-  friend bool operator!=(const Element_index a, const Element_index b) { return a.value != b.value; }
-  friend bool operator<(const Element_index a, const Element_index b) { return a.value < b.value; }
-  friend std::size_t hash_value(const Element_index i) { return boost::hash<int>()(i.value); }
-  friend std::ostream& operator<<(std::ostream& out, const Element_index i) { return out << i.value; }
-};
-
-// Runs over the elements 0, 1, 2, ...
-template <typename Index>
-class Element_iterator
-  : public boost::iterator_facade<Element_iterator<Index>, Index, boost::random_access_traversal_tag, Index>
-{
-public:
-  Element_iterator() = default;
-  explicit Element_iterator(const int value) : m_value(value) {}
-
-private:
-  friend class boost::iterator_core_access;
-
-  Index dereference() const { return Index(m_value); }
-  bool equal(const Element_iterator& other) const { return m_value == other.m_value; }
-  void increment() { ++m_value; }
-  void decrement() { --m_value; }
-  void advance(const std::ptrdiff_t n) { m_value += static_cast<int>(n); }
-  std::ptrdiff_t distance_to(const Element_iterator& other) const { return other.m_value - m_value; }
-
-  int m_value = 0;
-};
-
-// A mesh of the package's own, a model of `MutableFaceGraph` whose elements are only added, to be refined in place of
-// the caller's. The halfedges of edge e are 2e and 2e + 1.
-class Working_mesh
-{
-public:
-  typedef CGAL::Simple_cartesian<double> Kernel;
-  typedef Kernel::Point_3 Point;
-  typedef Element_index<struct Vertex_kind> Vertex;
-  typedef Element_index<struct Halfedge_kind> Halfedge;
-  typedef Element_index<struct Edge_kind> Edge;
-  typedef Element_index<struct Face_kind> Face;
-
-  int number_of_vertices() const { return static_cast<int>(m_vertex_halfedge.size()); }
-  int number_of_halfedges() const { return static_cast<int>(m_next.size()); }
-  int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
-
-  // Sets the size at once; all connections are unset.
-  void resize(const int vertices, const int edges, const int faces)
-  {
-    m_vertex_halfedge.resize(vertices);
-    m_point.resize(vertices);
-    m_next.resize(2 * static_cast<std::size_t>(edges));
-    m_previous.resize(m_next.size());
-    m_target.resize(m_next.size());
-    m_face.resize(m_next.size());
-    m_is_constrained.resize(edges);
-    m_face_halfedge.resize(faces);
-  }
-
-  void reserve(const std::size_t vertices, const std::size_t edges, const std::size_t faces)
-  {
-    m_vertex_halfedge.reserve(vertices);
-    m_point.reserve(vertices);
-    m_next.reserve(2 * edges);
-    m_previous.reserve(2 * edges);
-    m_target.reserve(2 * edges);
-    m_face.reserve(2 * edges);
-    m_is_constrained.reserve(edges);
-    m_face_halfedge.reserve(faces);
-  }
-
-  Halfedge& halfedge_of(const Vertex v) { return m_vertex_halfedge[v.value]; }
-  Halfedge halfedge_of(const Vertex v) const { return m_vertex_halfedge[v.value]; }
-  Halfedge& halfedge_of(const Face f) { return m_face_halfedge[f.value]; }
-  Halfedge halfedge_of(const Face f) const { return m_face_halfedge[f.value]; }
-  Halfedge next(const Halfedge h) const { return m_next[h.value]; }
-  Halfedge previous(const Halfedge h) const { return m_previous[h.value]; }
-  Vertex& target(const Halfedge h) { return m_target[h.value]; }
-  Vertex target(const Halfedge h) const { return m_target[h.value]; }
-  Face& face(const Halfedge h) { return m_face[h.value]; }
-  Face face(const Halfedge h) const { return m_face[h.value]; }
-
-  void connect(const Halfedge h, const Halfedge next)
-  {
-    m_next[h.value] = next;
-    m_previous[next.value] = h;
-  }
-
-  Refinement_origin& origin() { return m_origin; }
-  const Refinement_origin& origin() const { return m_origin; }
-  std::vector<Point>& points() { return m_point; }
-  const std::vector<Point>& points() const { return m_point; }
-  std::vector<double>& density() { return m_density; }
-  const std::vector<double>& density() const { return m_density; }
-  std::vector<char>& constrained_edges() { return m_is_constrained; }
-  const std::vector<char>& constrained_edges() const { return m_is_constrained; }
-
-private:
-  std::vector<Halfedge> m_vertex_halfedge, m_next, m_previous, m_face_halfedge;
-  std::vector<Vertex> m_target;
-  std::vector<Face> m_face;
-  std::vector<Point> m_point;
-  std::vector<double> m_density;      // per vertex: by what lengths there count as longer than they are; empty if by 1
-  std::vector<char> m_is_constrained; // per edge
-  Refinement_origin m_origin;
-};
-
-// The functions of the concept.
+// What makes `Working_mesh` a model of `MutableFaceGraph`: the functions of the concept, property maps and traits.
 
 inline Working_mesh::Vertex target(const Working_mesh::Halfedge h, const Working_mesh& m) { return m.target(h); }
 inline Working_mesh::Halfedge opposite(const Working_mesh::Halfedge h, const Working_mesh&)
@@ -300,39 +181,6 @@ inline double length_factor(const Working_mesh& m, const Working_mesh::Vertex u,
 {
   return m.density().empty() ? 1 : (m.density()[u.value] + m.density()[v.value]) / 2;
 }
-
-// Values by the number of their element, in an array that the map refers to or shares. What was never put is `Value()`.
-template <typename Index, typename Value, typename Stored = Value>
-class Element_map
-{
-public:
-  typedef Index key_type;
-  typedef Value value_type;
-  typedef Value reference;
-  typedef boost::read_write_property_map_tag category;
-
-  Element_map() : m_values(std::make_shared<std::vector<Stored> >()) {}
-
-  // Refers to an array that must outlive the map.
-  explicit Element_map(std::vector<Stored>& values) : m_values(&values, [](std::vector<Stored>*) {}) {}
-
-  friend Value get(const Element_map& map, const Index i)
-  {
-    const std::size_t place = static_cast<std::size_t>(i.value);
-    return place < map.m_values->size() ? static_cast<Value>((*map.m_values)[place]) : Value();
-  }
-
-  friend void put(const Element_map& map, const Index i, const Value& value)
-  {
-    const std::size_t place = static_cast<std::size_t>(i.value);
-    if(place >= map.m_values->size())
-      map.m_values->resize(place + 1);
-    (*map.m_values)[place] = static_cast<Stored>(value);
-  }
-
-private:
-  std::shared_ptr<std::vector<Stored> > m_values;
-};
 
 typedef Element_map<Working_mesh::Vertex, Working_mesh::Point> Working_point_map;
 typedef Element_map<Working_mesh::Edge, bool, char> Working_constraint_map;

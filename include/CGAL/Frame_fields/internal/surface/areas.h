@@ -33,6 +33,7 @@ inline double area(const Cut_surface& surface, const int face)
   return triangle_area(surface.length[h], surface.length[h + 1], surface.angle[h]);
 }
 
+// In units of `length_unit` squared, as all areas here.
 inline double patch_area(const Cut_surface& surface, const Patch& patch)
 {
   double sum = 0;

@@ -37,6 +37,7 @@ constexpr int largest_index_target = 1000;
 // common, and all their corners must fall to the same side.
 constexpr double angle_tolerance = 1e-3;
 
+// Whether a sector on constrained edges has an angle below `bound`, in radians.
 inline bool is_sharp_corner(const Cut_surface& surface, const int sector, const double bound)
 {
   return surface.total_angle[sector] < bound - angle_tolerance && surface.is_constrained_sector(sector);
@@ -56,7 +57,8 @@ inline int natural_index(const Cut_surface& surface, const int sector)
 }
 
 // Which sectors on constrained edges get their natural index prescribed, and not only by the repair: sharp corners, and
-// blunt ones, that is, those of two quadrangles or more whose angle differs from a straight one by more than a bound.
+// blunt ones, that is, those of two quadrangles or more whose angle differs from a straight one by more than a
+// bound. Both bounds are in radians.
 struct Corner_bounds
 {
   double sharp, blunt;

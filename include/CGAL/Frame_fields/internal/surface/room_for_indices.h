@@ -40,7 +40,8 @@ inline long long missing_sectors_inside(const Cut_surface& surface, const Patch&
 }
 
 // The unconstrained edges to split in two so that no patch lacks sectors inside, the longest ones of each patch. Where
-// they are too few, all of them, and the patch must be asked again.
+// they are too few, all of them, and the patch must be asked again. `surface.length` must be given. Sorts the edges of
+// patches that lack sectors; linear otherwise.
 inline std::vector<int> edges_that_make_room(const Cut_surface& surface)
 {
   std::vector<int> result; // dual edges
