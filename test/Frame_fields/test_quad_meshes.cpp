@@ -105,6 +105,16 @@ double mean_edge_length(const Mesh& mesh)
   return sum / static_cast<double>(num_edges(mesh));
 }
 
+template <typename Mesh>
+bool has_edge_longer_than(const Mesh& mesh, const double length)
+{
+  for(const auto e : edges(mesh))
+    if(CGAL::squared_distance(get(CGAL::vertex_point, mesh, source(e, mesh)),
+                              get(CGAL::vertex_point, mesh, target(e, mesh))) > length * length)
+      return true;
+  return false;
+}
+
 // The quads that the field asks for at singular vertices off features, sorted.
 std::vector<int> singular_valences(const Model& model)
 {
@@ -128,7 +138,14 @@ std::vector<int> singular_valences(const Model& model)
   return result;
 }
 
-// The inverted quads are counted apart from the library; whether there may be a few depends on the model.
+// They are counted apart from the library; whether there may be a few depends on the model.
+void expect_few_inverted_quads(const Quads& quads, const bool may_be_inverted)
+{
+  const std::size_t number_of_inverted = number_of_inverted_quads(quads.surface);
+  EXPECT_EQ(quads.statistics.quality.number_of_inverted_quads, number_of_inverted);
+  EXPECT_LE(number_of_inverted, may_be_inverted ? 1 + quads.surface.faces.size() / 100 : 0u);
+}
+
 void expect_contract(const Model& model, const Marked_surface& triangles, const Quads& quads,
                      const bool may_be_inverted = false)
 {
@@ -138,9 +155,7 @@ void expect_contract(const Model& model, const Marked_surface& triangles, const 
     EXPECT_EQ(singular, irregular);
   else
     EXPECT_TRUE(std::includes(singular.begin(), singular.end(), irregular.begin(), irregular.end()));
-  const std::size_t number_of_inverted = number_of_inverted_quads(quads.surface);
-  EXPECT_EQ(quads.statistics.quality.number_of_inverted_quads, number_of_inverted);
-  EXPECT_LE(number_of_inverted, may_be_inverted ? 1 + quads.surface.faces.size() / 100 : 0u);
+  expect_few_inverted_quads(quads, may_be_inverted);
 }
 
 void expect_contract(const Model& model, const double factor, const bool may_be_inverted = false)
@@ -148,8 +163,16 @@ void expect_contract(const Model& model, const double factor, const bool may_be_
   SCOPED_TRACE("edges of length " + std::to_string(factor) + " times the mean");
   const Cad_mesh<Surface_mesh> cad_mesh(model, false);
   const double length = factor * mean_edge_length(cad_mesh.mesh);
-  const Quads quads = quads_of(cad_mesh, parameters::target_edge_length(length));
+  const auto np = parameters::target_edge_length(length);
+  // The field that the singularities are compared with is that of triangles that are not refined.
+  const Quads quads = quads_of(cad_mesh, np.refine_long_triangles(false));
   expect_contract(model, triangles_of(cad_mesh), quads, may_be_inverted);
+  if(has_edge_longer_than(cad_mesh.mesh, 2 * length))
+  {
+    const Quads refined = quads_of(cad_mesh, np);
+    EXPECT_EQ("", Quad_contract(triangles_of(cad_mesh), refined.surface).broken_facts());
+    expect_few_inverted_quads(refined, may_be_inverted);
+  }
   if(std::getenv("FRAME_FIELDS_REPORT") != nullptr)
     std::cout << "  x" << factor << ": " << quads.statistics.number_of_quads << " quads, "
               << quads.statistics.number_of_filled_patches << " of " << quads.statistics.number_of_patches
