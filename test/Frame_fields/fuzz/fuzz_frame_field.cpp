@@ -2,6 +2,7 @@
 // called. What breaks the contract of one of them ends the program.
 
 #include "Fuzz_case.h"
+#include "check_quads.h"
 
 #include "../field_contract.h"
 #include "../sentinels.h"
@@ -90,13 +91,15 @@ bool is_overconstrained(const Cad_mesh<Mesh>& cad_mesh, const Face f)
 class Expectation
 {
 public:
-  Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters) : m_parameters(parameters)
+  Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters,
+              const bool accepts_overconstrained_faces = false)
+    : m_parameters(parameters)
   {
     const Mesh& mesh = cad_mesh.mesh;
     m_is_empty = num_faces(mesh) == 0;
     for(const Face f : faces(mesh))
     {
-      m_is_overconstrained |= is_overconstrained(cad_mesh, f);
+      m_is_overconstrained |= !accepts_overconstrained_faces && is_overconstrained(cad_mesh, f);
       for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
         m_is_finite &= is_finite(mesh.point(v));
       for(const Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
@@ -328,6 +331,54 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   check_spoilt_field(cad_mesh, maps, bytes);
 }
 
+auto parameters_of(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance)
+{
+  return cad_mesh.features().support_strategy(fuzz_parameters.support_strategy)
+                 .edge_weighting(fuzz_parameters.edge_weighting)
+                 .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
+                 .maximum_skewness(fuzz_parameters.maximum_skewness)
+                 .orthogonality_weight(fuzz_parameters.orthogonality_weight)
+                 .orthogonality_length(fuzz_parameters.orthogonality_length == 0
+                                       ? std::nullopt
+                                       : std::optional<double>(fuzz_parameters.orthogonality_length))
+                 .relax_orthogonality(fuzz_parameters.relaxes)
+                 .repair_matching(fuzz_parameters.repairs)
+                 .index_target_map(guidance.target);
+}
+
+// Calls `cad_quad_mesh()`.
+void check_quads(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance,
+                 const double edge_length)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const bool accepts_overconstrained_faces = true;
+  const Expectation expectation(cad_mesh, fuzz_parameters, accepts_overconstrained_faces);
+  Mesh quads;
+  const auto is_marked = get(CGAL::dynamic_edge_property_t<bool>(), quads);
+  const auto location = get(CGAL::dynamic_vertex_property_t<std::pair<Face, std::array<double, 3> > >(), quads);
+  FF::Quad_statistics statistics;
+  statistics.number_of_quads = 77;
+  const FF::Result result = FF::cad_quad_mesh(
+    mesh, quads, parameters_of(cad_mesh, fuzz_parameters, guidance)
+                   .guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight)
+                   .target_edge_length(edge_length).output_edge_is_constrained_map(is_marked)
+                   .vertex_to_face_location_map(location).statistics(std::ref(statistics)));
+  const bool is_length_in_range = edge_length > 0 && std::isfinite(edge_length);
+  if(result)
+  {
+    expect(is_length_in_range && expectation.allows(FF::OK), "wrong input is refused");
+    const std::string broken = broken_facts_of_quads(mesh, cad_mesh.is_feature, quads, is_marked, location);
+    expect(broken.empty(), broken);
+    expect(statistics.number_of_quads == num_faces(quads), "quads are counted");
+    return;
+  }
+  expect(expectation.allows(result.error_code)
+         || (result.error_code == FF::ERROR_WRONG_PARAMETER && !is_length_in_range),
+         "an unexpected answer: " + result.message);
+  expect(num_vertices(quads) == 0 && num_faces(quads) == 0 && statistics.number_of_quads == 77,
+         "outputs stay untouched on failure");
+}
+
 // Features are found on every mesh with faces whose coordinates are finite, unless a parameter is out of range.
 void check_feature_detection(const Cad_mesh<Mesh>& cad_mesh, const Feature_parameters& fuzz_parameters)
 {
@@ -381,18 +432,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
     expect(bool(FF::split_overconstrained_faces(cad_mesh.mesh, features)), "triangles are split");
 
   const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
+  if(fuzz_parameters.makes_quads)
+  {
+    check_quads(cad_mesh, fuzz_parameters, guidance,
+                read_relative_edge_length(bytes) * longest_edge(cad_mesh.mesh));
+    return 0;
+  }
   check_feature_detection(cad_mesh, read_feature_parameters(bytes));
-  const auto np = features.support_strategy(fuzz_parameters.support_strategy)
-                          .edge_weighting(fuzz_parameters.edge_weighting)
-                          .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
-                          .maximum_skewness(fuzz_parameters.maximum_skewness)
-                          .orthogonality_weight(fuzz_parameters.orthogonality_weight)
-                          .orthogonality_length(fuzz_parameters.orthogonality_length == 0
-                                                ? std::nullopt
-                                                : std::optional<double>(fuzz_parameters.orthogonality_length))
-                          .relax_orthogonality(fuzz_parameters.relaxes)
-                          .repair_matching(fuzz_parameters.repairs)
-                          .index_target_map(guidance.target);
+  const auto np = parameters_of(cad_mesh, fuzz_parameters, guidance);
   if(fuzz_parameters.is_guided)
     check_field(cad_mesh, fuzz_parameters, guidance, bytes,
                 np.guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight));
