@@ -87,23 +87,42 @@ bool is_overconstrained(const Cad_mesh<Mesh>& cad_mesh, const Face f)
   return number > 1;
 }
 
+double edge_length(const Halfedge h, const Mesh& mesh)
+{
+  const Vector way = mesh.point(target(h, mesh)) - mesh.point(source(h, mesh));
+  return std::hypot(way.x(), way.y(), way.z());
+}
+
+double longest_edge(const Mesh& mesh)
+{
+  double result = 0;
+  for(const Halfedge h : halfedges(mesh))
+    result = (std::max)(result, edge_length(h, mesh));
+  return result;
+}
+
 // Whether the mesh and the parameters are such that an error code, or OK, may come out.
 class Expectation
 {
 public:
   Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters,
-              const bool accepts_overconstrained_faces = false)
+              const bool makes_quads = false)
     : m_parameters(parameters)
   {
     const Mesh& mesh = cad_mesh.mesh;
     m_is_empty = num_faces(mesh) == 0;
+    // The copy of the mesh that is refined has coordinates of about 1 at most, so that tiny edges may be lost in it.
+    const double least_length = makes_quads ? 1e-290 * longest_edge(mesh) : 0;
     for(const Face f : faces(mesh))
     {
-      m_is_overconstrained |= !accepts_overconstrained_faces && is_overconstrained(cad_mesh, f);
+      m_is_overconstrained |= !makes_quads && is_overconstrained(cad_mesh, f);
       for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
         m_is_finite &= is_finite(mesh.point(v));
       for(const Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
+      {
         m_has_edge_without_length |= mesh.point(source(h, mesh)) == mesh.point(target(h, mesh));
+        m_may_lose_edge |= edge_length(h, mesh) <= least_length;
+      }
     }
   }
 
@@ -115,7 +134,7 @@ public:
         return !m_is_empty && m_is_finite && !m_has_edge_without_length && !m_is_overconstrained && has_good_numbers();
       case FF::ERROR_EMPTY_MESH: return m_is_empty;
       case FF::ERROR_NON_FINITE_COORDINATE: return !m_is_finite;
-      case FF::ERROR_ZERO_LENGTH_EDGE: return m_has_edge_without_length;
+      case FF::ERROR_ZERO_LENGTH_EDGE: return m_has_edge_without_length || m_may_lose_edge;
       case FF::ERROR_OVERCONSTRAINED_FACE: return m_is_overconstrained;
       case FF::ERROR_WRONG_PARAMETER: return !has_good_numbers();
       case FF::ERROR_WRONG_FIELD: return m_parameters.is_guided || m_parameters.has_index_targets;
@@ -136,7 +155,8 @@ private:
   }
 
   const Fuzz_parameters& m_parameters;
-  bool m_is_empty = false, m_is_overconstrained = false, m_is_finite = true, m_has_edge_without_length = false;
+  bool m_is_empty = false, m_is_overconstrained = false, m_is_finite = true, m_has_edge_without_length = false,
+       m_may_lose_edge = false;
 };
 
 bool meets_targets(const Mesh& mesh, const Maps<Mesh>& maps, const Guidance& guidance)
@@ -169,18 +189,6 @@ void check_vectors(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps, const
   expect(misalignment < 1e-9, "vectors are aligned");
   for(const Face f : faces(mesh))
     expect(std::abs(get(read.rho, f) - get(maps.rho, f)) < 1e-9, "vectors have the skewness of their field");
-}
-
-// A spacing at which there are few lines.
-double longest_edge(const Mesh& mesh)
-{
-  double result = 0;
-  for(const Halfedge h : halfedges(mesh))
-  {
-    const Vector way = mesh.point(target(h, mesh)) - mesh.point(source(h, mesh));
-    result = (std::max)(result, std::hypot(way.x(), way.y(), way.z()));
-  }
-  return result;
 }
 
 void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
@@ -351,8 +359,8 @@ void check_quads(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
                  const double edge_length)
 {
   const Mesh& mesh = cad_mesh.mesh;
-  const bool accepts_overconstrained_faces = true;
-  const Expectation expectation(cad_mesh, fuzz_parameters, accepts_overconstrained_faces);
+  const bool makes_quads = true;
+  const Expectation expectation(cad_mesh, fuzz_parameters, makes_quads);
   Mesh quads;
   const auto is_marked = get(CGAL::dynamic_edge_property_t<bool>(), quads);
   const auto location = get(CGAL::dynamic_vertex_property_t<std::pair<Face, std::array<double, 3> > >(), quads);

@@ -276,10 +276,10 @@ private:
       has_quad[origin.patch] = 1;
     bool is_any_without = false;
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
-      if(m_sources[patch] == Patch_source::T_MESH && !has_quad[patch])
+      if(m_layout.sources()[patch] == Patch_source::T_MESH && !has_quad[patch])
       {
         for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
-          is_any_without |= raise(m_layout.first_piece[patch] + static_cast<int>(piece), 1);
+          is_any_without |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), static_cast<int>(piece)), 1);
       }
     return is_any_without;
   }
