@@ -342,12 +342,13 @@ TEST_F(Exception_safety, of_the_functions_that_refine_a_mesh)
 TEST_F(Exception_safety, of_the_quads)
 {
   Cad_mesh<Surface_mesh> coarse(wedge_with_fan(150, 2), false);
-  Surface_mesh quads; // has room for all quads, so that it holds no more memory afterwards
-  quads.reserve(1000, 2000, 1000);
+  Surface_mesh quads; // has room for the quads of all calls that succeed, so that it holds no more memory afterwards
+  quads.reserve(100000, 200000, 100000);
   CGAL::make_quad(Point(9, 0, 0), Point(9, 1, 0), Point(8, 1, 0), Point(8, 0, 0), quads);
   bool is_untouched = true;
   expect_safe("cad_quad_mesh", [&]
   {
+    const std::size_t vertices_before = num_vertices(quads), faces_before = num_faces(quads);
     FF::Quad_statistics statistics;
     statistics.number_of_quads = 77;
     try
@@ -356,8 +357,8 @@ TEST_F(Exception_safety, of_the_quads)
     }
     catch(...)
     {
-      is_untouched = num_vertices(quads) == 4 && num_faces(quads) == 1 && CGAL::is_valid_polygon_mesh(quads)
-                  && statistics.number_of_quads == 77;
+      is_untouched = num_vertices(quads) == vertices_before && num_faces(quads) == faces_before
+                  && CGAL::is_valid_polygon_mesh(quads) && statistics.number_of_quads == 77;
       throw;
     }
   }, [&] { return is_untouched; });
