@@ -278,8 +278,9 @@ private:
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       if(m_layout.sources()[patch] == Patch_source::T_MESH && !has_quad[patch])
       {
-        for(std::size_t piece = 0; piece < m_t_meshes[patch].pieces.size(); ++piece)
-          is_any_without |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), static_cast<int>(piece)), 1);
+        const int number_of_pieces = static_cast<int>(m_t_meshes[patch].pieces.size());
+        for(int piece = 0; piece < number_of_pieces; ++piece)
+          is_any_without |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), piece), 1);
       }
     return is_any_without;
   }
