@@ -10,6 +10,10 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace {
 
 using namespace test;
@@ -84,6 +88,38 @@ protected:
 };
 
 TYPED_TEST_SUITE(Determinism, Concurrency_tags);
+
+// Points, and the vertices of the faces, in the order of both.
+template <typename ConcurrencyTag>
+std::pair<std::vector<Point>, std::vector<std::size_t> > quads_of(const Cad_mesh<Surface_mesh>& cad_mesh)
+{
+  Surface_mesh quads;
+  EXPECT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, quads, cad_mesh.features().concurrency_tag(ConcurrencyTag())));
+  std::pair<std::vector<Point>, std::vector<std::size_t> > result;
+  for(const auto v : vertices(quads))
+    result.first.push_back(quads.point(v));
+  for(const auto f : faces(quads))
+    for(const auto v : vertices_around_face(halfedge(f, quads), quads))
+      result.second.push_back(v);
+  return result;
+}
+
+TYPED_TEST(Determinism, of_quads_for_1_2_and_8_threads)
+{
+  for(const Model& model : { quilt(), cube(), random_gear(1), random_torus(1) })
+  {
+    const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+    const auto expected = quads_of<CGAL::Sequential_tag>(cad_mesh);
+    for(const int number_of_threads : { 1, 2, 8 })
+    {
+      SCOPED_TRACE(number_of_threads);
+#ifdef CGAL_LINKED_WITH_TBB
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+#endif
+      EXPECT_EQ(expected, quads_of<TypeParam>(cad_mesh));
+    }
+  }
+}
 
 TYPED_TEST(Determinism, from_run_to_run_and_for_1_2_and_8_threads)
 {

@@ -4,6 +4,7 @@
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <cstdlib>
 #include <functional>
@@ -359,6 +360,32 @@ TEST_F(Exception_safety, of_the_functions_that_refine_a_mesh)
     return FF::split_overconstrained_faces(coarse.mesh, coarse.features());
   });
   expect_mesh_safe("split_chords", [](auto& coarse) { return FF::split_chords(coarse.mesh, coarse.features()); });
+}
+
+TEST_F(Exception_safety, of_the_quads)
+{
+  Cad_mesh<Surface_mesh> coarse(wedge_with_fan(150, 2), false);
+  Surface_mesh quads; // has room for the quads of all calls that succeed, so that it holds no more memory afterwards
+  quads.reserve(100000, 200000, 100000);
+  CGAL::make_quad(Point(9, 0, 0), Point(9, 1, 0), Point(8, 1, 0), Point(8, 0, 0), quads);
+  bool is_untouched = true;
+  expect_safe("cad_quad_mesh", [&]
+  {
+    const std::size_t vertices_before = num_vertices(quads), faces_before = num_faces(quads);
+    FF::Quad_statistics statistics;
+    statistics.number_of_quads = 77;
+    try
+    {
+      return FF::cad_quad_mesh(coarse.mesh, quads, coarse.features().statistics(std::ref(statistics))).error_code;
+    }
+    catch(...)
+    {
+      is_untouched = num_vertices(quads) == vertices_before && num_faces(quads) == faces_before
+                  && CGAL::is_valid_polygon_mesh(quads) && statistics.number_of_quads == 77;
+      throw;
+    }
+  }, [&] { return is_untouched; });
+  EXPECT_GT(num_faces(quads), 1u);
 }
 
 // The message is built of allocations, too.

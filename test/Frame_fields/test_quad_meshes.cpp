@@ -602,6 +602,14 @@ TEST(Quad_meshes_of_few_quads, have_about_the_number_asked_for)
                                               .statistics.number_of_quads), 0.15 * number);
 }
 
+// Without irregular vertices, nothing of a torus has to have an edge.
+TEST(Quad_meshes_of_few_quads, are_never_none)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(torus(), false);
+  const Quads quads = quads_of(cad_mesh, parameters::target_edge_length(1e6));
+  EXPECT_EQ("", Quad_contract(triangles_of(cad_mesh), quads.surface).broken_facts());
+}
+
 template <typename NamedParameters>
 void expect_failure(const FF::Error_code expected, const Surface_mesh& mesh, const NamedParameters& np)
 {

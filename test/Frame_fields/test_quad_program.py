@@ -157,7 +157,6 @@ class QuadUsage(QuadProgramTest):
                 ("--edge-length", "cube.off --edge-length nan"), ("--edge-length", "cube.off --edge-length inf"),
                 ("--edge-length", "cube.off --edge-length long"), ("--quads", "cube.off --quads 0"),
                 ("--quads", "cube.off --quads 1.5"), ("exclude", "cube.off --quads 10 --edge-length 1"),
-                ("cad_frame_field alone", "cube.off --curvature-weight 1 -o out.obj"),
                 (".msh", "cube.off -o out.stl"), (".msh", "cube.off -o out"), ("--output", "cube.off -o"),
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),
@@ -319,6 +318,41 @@ class QuadContract(QuadProgramTest):
         report = self.check(flange(), read_features(flange_features()), "--features", flange_features())
         self.assertEqual(report["quality"]["non_positive_quads"], 0)
         self.assertEqual(report["filled_patches"] + report["certified_patches"], report["patches"])
+
+
+class QuadGuidance(QuadProgramTest):
+    def test_index_targets_become_irregular_vertices(self):
+        path = self.folder / "grid.off"
+        points = [(i, j, 0) for j in range(9) for i in range(9)]
+        triangles = [t for j in range(8) for i in range(8) for p in [9 * j + i]
+                     for t in ((p, p + 1, p + 10), (p, p + 10, p + 9))]
+        path.write_text("OFF\n81 128 0\n" + "".join("%d %d %d\n" % p for p in points)
+                        + "".join("3 %d %d %d\n" % t for t in triangles))
+        targets = self.folder / "targets.txt"
+        targets.write_text("40 1\n30 -1\n")
+        points, faces, _, _ = self.mesh(path, "--index-targets", targets)
+        borders = {p for p, point in enumerate(points) if {0, 8} & set(point[:2])}
+        corners = [p for face in faces for p in face]
+        self.assertEqual(sorted(corners.count(p) for p in range(len(points))
+                                if p not in borders and corners.count(p) != 4), [3, 5])
+        targets.write_text("40 1\n")
+        self.assert_fails(BAD_FILE, "sum", path, "--index-targets", targets, "-o", "out.obj")
+
+    def test_curvature_guides(self):
+        columns, rows = 16, 8  # of an ellipsoid with three different axes, open at its poles
+        points = [(3 * math.sin(u) * math.cos(v), 2 * math.sin(u) * math.sin(v), math.cos(u))
+                  for j in range(rows) for u in [math.pi * (j + 1) / (rows + 1)]
+                  for i in range(columns) for v in [2 * math.pi * i / columns]]
+        triangles = [t for j in range(rows - 1) for i in range(columns)
+                     for a, b in [(columns * j + i, columns * j + (i + 1) % columns)]
+                     for t in ((a, a + columns, b + columns), (a, b + columns, b))]
+        path = self.folder / "ellipsoid.off"
+        path.write_text(f"OFF\n{len(points)} {len(triangles)} 0\n" + "".join("%.17g %.17g %.17g\n" % p for p in points)
+                        + "".join("3 %d %d %d\n" % t for t in triangles))
+        plain, unguided, guided = (self.mesh(path, "--feature-angle", "180", *options)
+                                   for options in ((), ("--curvature-weight", "0"), ("--curvature-weight", "1")))
+        self.assertEqual(plain[0], unguided[0])
+        self.assertNotEqual(plain[0], guided[0])
 
 
 class QuadReport(QuadProgramTest):

@@ -73,6 +73,7 @@ Fuzz_parameters read_parameters(Byte_reader& bytes)
   result.is_guided = flags & 16;
   result.has_index_targets = flags & 32;
   result.splits_overconstrained_faces = !(flags & 64);
+  result.makes_quads = flags & 128;
   result.sharp_corner_bound = one_of({ 0.75 * CGAL_PI, 0, CGAL_PI / 4, CGAL_PI / 2, CGAL_PI, 2 * CGAL_PI, 1e300, -1,
                                        nan, infinity }, bytes);
   result.maximum_skewness = one_of({ 0.45 * CGAL_PI, 0, 0.1, 1.57, CGAL_PI / 2, -1, nan }, bytes);
@@ -98,6 +99,11 @@ Streamline_parameters read_streamline_parameters(Byte_reader& bytes)
   result.separation = one_of({ 0.5, 1, 0.2, -1, 1.1, nan }, bytes);
   result.maximum_length = one_of({ infinity, 1, 1e-300, 1e300, 100, 0, -1, nan }, bytes);
   return result;
+}
+
+double read_relative_edge_length(Byte_reader& bytes)
+{
+  return one_of({ 1, 0.2, 0.5, 2, 1000, 1e300, -1, nan }, bytes);
 }
 
 std::vector<Point> read_points(Byte_reader& bytes)

@@ -34,7 +34,7 @@ struct Fuzz_parameters
   CGAL::Frame_fields::Edge_weighting edge_weighting = CGAL::Frame_fields::Edge_weighting::UNIFORM;
   double sharp_corner_bound = 0, maximum_skewness = 0, orthogonality_weight = 0, orthogonality_length = 0;
   bool relaxes = true, repairs = true, splits_chords = false, splits_overconstrained_faces = true, is_guided = false,
-       has_index_targets = false;
+       has_index_targets = false, makes_quads = false;
 };
 
 Fuzz_parameters read_parameters(Byte_reader& bytes);
@@ -57,6 +57,9 @@ struct Streamline_parameters
   bool have_default_spacing() const { return spacing == 0; }
   bool are_in_range() const { return separation >= 0 && separation <= 1 && maximum_length > 0; }
 };
+
+// The length of the edges of quads, in terms of the longest edge of the mesh.
+double read_relative_edge_length(Byte_reader& bytes);
 
 // Of the bytes that are left; zeros stand for usual values.
 Feature_parameters read_feature_parameters(Byte_reader& bytes);

@@ -2,6 +2,7 @@
 // called. What breaks the contract of one of them ends the program.
 
 #include "Fuzz_case.h"
+#include "check_quads.h"
 
 #include "../field_contract.h"
 #include "../map_contract.h"
@@ -87,21 +88,42 @@ bool is_overconstrained(const Cad_mesh<Mesh>& cad_mesh, const Face f)
   return number > 1;
 }
 
+double edge_length(const Halfedge h, const Mesh& mesh)
+{
+  const Vector way = mesh.point(target(h, mesh)) - mesh.point(source(h, mesh));
+  return std::hypot(way.x(), way.y(), way.z());
+}
+
+double longest_edge(const Mesh& mesh)
+{
+  double result = 0;
+  for(const Halfedge h : halfedges(mesh))
+    result = (std::max)(result, edge_length(h, mesh));
+  return result;
+}
+
 // Whether the mesh and the parameters are such that an error code, or OK, may come out.
 class Expectation
 {
 public:
-  Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters) : m_parameters(parameters)
+  Expectation(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& parameters,
+              const bool makes_quads = false)
+    : m_parameters(parameters)
   {
     const Mesh& mesh = cad_mesh.mesh;
     m_is_empty = num_faces(mesh) == 0;
+    // The copy of the mesh that is refined has coordinates of about 1 at most, so that tiny edges may be lost in it.
+    const double least_length = makes_quads ? 1e-290 * longest_edge(mesh) : 0;
     for(const Face f : faces(mesh))
     {
-      m_is_overconstrained |= is_overconstrained(cad_mesh, f);
+      m_is_overconstrained |= !makes_quads && is_overconstrained(cad_mesh, f);
       for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
         m_is_finite &= is_finite(mesh.point(v));
       for(const Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
+      {
         m_has_edge_without_length |= mesh.point(source(h, mesh)) == mesh.point(target(h, mesh));
+        m_may_lose_edge |= edge_length(h, mesh) <= least_length;
+      }
     }
   }
 
@@ -113,7 +135,7 @@ public:
         return !m_is_empty && m_is_finite && !m_has_edge_without_length && !m_is_overconstrained && has_good_numbers();
       case FF::ERROR_EMPTY_MESH: return m_is_empty;
       case FF::ERROR_NON_FINITE_COORDINATE: return !m_is_finite;
-      case FF::ERROR_ZERO_LENGTH_EDGE: return m_has_edge_without_length;
+      case FF::ERROR_ZERO_LENGTH_EDGE: return m_has_edge_without_length || m_may_lose_edge;
       case FF::ERROR_OVERCONSTRAINED_FACE: return m_is_overconstrained;
       case FF::ERROR_WRONG_PARAMETER: return !has_good_numbers();
       case FF::ERROR_WRONG_FIELD: return m_parameters.is_guided || m_parameters.has_index_targets;
@@ -134,7 +156,8 @@ private:
   }
 
   const Fuzz_parameters& m_parameters;
-  bool m_is_empty = false, m_is_overconstrained = false, m_is_finite = true, m_has_edge_without_length = false;
+  bool m_is_empty = false, m_is_overconstrained = false, m_is_finite = true, m_has_edge_without_length = false,
+       m_may_lose_edge = false;
 };
 
 bool meets_targets(const Mesh& mesh, const Maps<Mesh>& maps, const Guidance& guidance)
@@ -188,18 +211,6 @@ void check_map(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps)
   const Cut cut = cad_mesh.cut();
   const std::string broken = broken_facts_of_map(cut, index_of_sectors(cut, index), uv, uncertified.size());
   expect(broken.empty(), broken);
-}
-
-// A spacing at which there are few lines.
-double longest_edge(const Mesh& mesh)
-{
-  double result = 0;
-  for(const Halfedge h : halfedges(mesh))
-  {
-    const Vector way = mesh.point(target(h, mesh)) - mesh.point(source(h, mesh));
-    result = (std::max)(result, std::hypot(way.x(), way.y(), way.z()));
-  }
-  return result;
 }
 
 void check_streamlines(const Cad_mesh<Mesh>& cad_mesh, const Maps<Mesh>& maps,
@@ -351,6 +362,54 @@ void check_field(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_par
   check_spoilt_field(cad_mesh, maps, bytes);
 }
 
+auto parameters_of(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance)
+{
+  return cad_mesh.features().support_strategy(fuzz_parameters.support_strategy)
+                 .edge_weighting(fuzz_parameters.edge_weighting)
+                 .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
+                 .maximum_skewness(fuzz_parameters.maximum_skewness)
+                 .orthogonality_weight(fuzz_parameters.orthogonality_weight)
+                 .orthogonality_length(fuzz_parameters.orthogonality_length == 0
+                                       ? std::nullopt
+                                       : std::optional<double>(fuzz_parameters.orthogonality_length))
+                 .relax_orthogonality(fuzz_parameters.relaxes)
+                 .repair_matching(fuzz_parameters.repairs)
+                 .index_target_map(guidance.target);
+}
+
+// Calls `cad_quad_mesh()`.
+void check_quads(const Cad_mesh<Mesh>& cad_mesh, const Fuzz_parameters& fuzz_parameters, const Guidance& guidance,
+                 const double edge_length)
+{
+  const Mesh& mesh = cad_mesh.mesh;
+  const bool makes_quads = true;
+  const Expectation expectation(cad_mesh, fuzz_parameters, makes_quads);
+  Mesh quads;
+  const auto is_marked = get(CGAL::dynamic_edge_property_t<bool>(), quads);
+  const auto location = get(CGAL::dynamic_vertex_property_t<std::pair<Face, std::array<double, 3> > >(), quads);
+  FF::Quad_statistics statistics;
+  statistics.number_of_quads = 77;
+  const FF::Result result = FF::cad_quad_mesh(
+    mesh, quads, parameters_of(cad_mesh, fuzz_parameters, guidance)
+                   .guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight)
+                   .target_edge_length(edge_length).output_edge_is_constrained_map(is_marked)
+                   .vertex_to_face_location_map(location).statistics(std::ref(statistics)));
+  const bool is_length_in_range = edge_length > 0 && std::isfinite(edge_length);
+  if(result)
+  {
+    expect(is_length_in_range && expectation.allows(FF::OK), "wrong input is refused");
+    const std::string broken = broken_facts_of_quads(mesh, cad_mesh.is_feature, quads, is_marked, location);
+    expect(broken.empty(), broken);
+    expect(statistics.number_of_quads == num_faces(quads), "quads are counted");
+    return;
+  }
+  expect(expectation.allows(result.error_code)
+         || (result.error_code == FF::ERROR_WRONG_PARAMETER && !is_length_in_range),
+         "an unexpected answer: " + result.message);
+  expect(num_vertices(quads) == 0 && num_faces(quads) == 0 && statistics.number_of_quads == 77,
+         "outputs stay untouched on failure");
+}
+
 // Features are found on every mesh with faces whose coordinates are finite, unless a parameter is out of range.
 void check_feature_detection(const Cad_mesh<Mesh>& cad_mesh, const Feature_parameters& fuzz_parameters)
 {
@@ -404,18 +463,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* const data, const std:
     expect(bool(FF::split_overconstrained_faces(cad_mesh.mesh, features)), "triangles are split");
 
   const Guidance guidance(cad_mesh.mesh, fuzz_parameters, bytes);
+  if(fuzz_parameters.makes_quads)
+  {
+    check_quads(cad_mesh, fuzz_parameters, guidance,
+                read_relative_edge_length(bytes) * longest_edge(cad_mesh.mesh));
+    return 0;
+  }
   check_feature_detection(cad_mesh, read_feature_parameters(bytes));
-  const auto np = features.support_strategy(fuzz_parameters.support_strategy)
-                          .edge_weighting(fuzz_parameters.edge_weighting)
-                          .sharp_corner_bound(fuzz_parameters.sharp_corner_bound)
-                          .maximum_skewness(fuzz_parameters.maximum_skewness)
-                          .orthogonality_weight(fuzz_parameters.orthogonality_weight)
-                          .orthogonality_length(fuzz_parameters.orthogonality_length == 0
-                                                ? std::nullopt
-                                                : std::optional<double>(fuzz_parameters.orthogonality_length))
-                          .relax_orthogonality(fuzz_parameters.relaxes)
-                          .repair_matching(fuzz_parameters.repairs)
-                          .index_target_map(guidance.target);
+  const auto np = parameters_of(cad_mesh, fuzz_parameters, guidance);
   if(fuzz_parameters.is_guided)
     check_field(cad_mesh, fuzz_parameters, guidance, bytes,
                 np.guiding_direction_map(guidance.direction).guiding_weight_map(guidance.weight));

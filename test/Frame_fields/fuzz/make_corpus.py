@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 SMALL_INTEGER, FRACTION, SPECIAL, ANY_DOUBLE = range(4)
-GEOMETRIC, NO_RELAXATION, NO_REPAIR, SPLITS_CHORDS, GUIDED, TARGETS, NO_SPLIT = (1 << bit for bit in range(7))
+GEOMETRIC, NO_RELAXATION, NO_REPAIR, SPLITS_CHORDS, GUIDED, TARGETS, NO_SPLIT, QUADS = (1 << bit for bit in range(8))
 
 
 def parameters(strategy=0, flags=0, bound=0, skewness=0, weight=0, length=0):
@@ -123,6 +123,20 @@ def files():
     yield case("spoilt_angle", grid(4, 4), rest=bytes([0] * 7 + [1, 5, 0, 5]))
     yield case("spoilt_skewness", grid(4, 4), rest=bytes([0] * 7 + [1, 5, 1, 7]))
     yield case("spoilt_matching", grid(4, 4), rest=bytes([0] * 7 + [2, 5, 2, 4, 9, 3, 4]))
+    quads = QUADS | NO_SPLIT
+    yield case("quads_of_wedge", FAN, flags=quads, rest=bytes([0]))
+    yield case("quads_of_tetrahedron", TETRAHEDRON, itertools.combinations(range(4), 2), flags=quads, rest=bytes([2]))
+    yield case("quads_of_cube", CUBE, CUBE_EDGES, flags=quads, rest=bytes([2]))
+    yield case("quads_of_cube_with_slits", CUBE, CUBE_EDGES[:5], flags=QUADS, rest=bytes([3]))
+    yield case("quads_of_square", grid(4, 4), [(6, 7), (7, 12)], flags=quads | NO_REPAIR, rest=bytes([1]))
+    yield case("quads_of_moebius", cylinder(6, 1, reverses=True), flags=quads, rest=bytes([6]))
+    yield case("quads_of_torus", torus(6, 5), flags=quads, rest=bytes([4]))
+    yield case("quads_of_torus_with_feature", torus(6, 5), [(0, 1), (1, 7), (12, 13)], flags=quads, rest=bytes([3]))
+    yield case("quads_of_cylinder", cylinder(7, 2), [(0, 8), (8, 15)], flags=quads | GUIDED, rest=bytes(range(29)))
+    yield case("quads_of_targets", grid(4, 4), flags=quads | TARGETS, rest=bytes([2, 12, 0, 1, 20, 1, 2, 6]))
+    yield case("quads_of_collinear", ([(k, k, 0) for k in range(5)] + [(2, 0, 0)], [(0, 2, 4), (0, 4, 5)]),
+               kind=SMALL_INTEGER, flags=quads)
+    yield case("quads_of_wrong_size", FAN, flags=quads, rest=bytes([6]))
     yield "empty", b""
 
 

@@ -4,7 +4,6 @@
 #include "Quad_options.h"
 
 #include "../shared/Console.h"
-#include "../shared/Failure.h"
 #include "../shared/Mesh.h"
 #include "../shared/Model.h"
 #include "../shared/field_parameters.h"
@@ -79,16 +78,14 @@ inline void compute_quads(const Model& model, const Feature_map is_feature, cons
                           Console& console, Quads& quads)
 {
   namespace parameters = CGAL::Frame_fields::parameters;
-  if(options.index_targets || options.curvature_weight > 0)
-    throw Failure(BAD_USAGE, "--index-targets and --curvature-weight are options of cad_frame_field alone");
   const auto np = parameters::output_edge_is_constrained_map(quads.is_feature)
                     .face_to_patch_map(quads.patch)
                     .statistics(std::ref(quads.statistics))
                     .visitor(Quad_stage_visitor(console))
                     .target_edge_length(edge_length_of(model.mesh, options))
                     .refine_long_triangles(options.refines);
-  check(CGAL::Frame_fields::cad_quad_mesh(model.mesh, quads.mesh,
-                                          parameters::join(np, field_parameters(is_feature, options))), options);
+  check(CGAL::Frame_fields::cad_quad_mesh(
+          model.mesh, quads.mesh, parameters::join(np, all_field_parameters(model, is_feature, options))), options);
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_QUADS_H

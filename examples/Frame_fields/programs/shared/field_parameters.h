@@ -64,6 +64,27 @@ inline auto field_parameters(const Feature_map is_feature, const Shared_options&
            .concurrency_tag(CGAL::Parallel_if_available_tag());
 }
 
+// Those and guidance and index targets, of weight 0 and for no sector if there are none. So functions that take long to
+// compile are compiled once.
+inline auto all_field_parameters(const Model& model, const Feature_map is_feature, const Shared_options& options)
+{
+  namespace parameters = CGAL::Frame_fields::parameters;
+  const auto direction = get(CGAL::dynamic_face_property_t<Vector>(), model.mesh);
+  const auto weight = get(CGAL::dynamic_face_property_t<double>(), model.mesh);
+  for(const Face f : model.mesh.faces())
+    put(weight, f, 0);
+  const auto guide = parameters::guiding_direction_map(direction).guiding_weight_map(weight);
+  Index_target_map target = get(CGAL::dynamic_halfedge_property_t<int>(), model.mesh);
+  if(options.index_targets)
+    target = mark_index_targets(*options.index_targets, model, is_feature);
+  else
+    for(const Halfedge h : model.mesh.halfedges())
+      put(target, h, CGAL::Frame_fields::NO_INDEX_TARGET);
+  return parameters::join(
+    parameters::join(field_parameters(is_feature, options), parameters::index_target_map(target)),
+    options.curvature_weight > 0 ? curvature_guide(model.mesh, options.curvature_weight) : guide);
+}
+
 // Calls `function(np)` with the named parameters that the options of the field stand for.
 template <typename Function>
 void call_with_field_parameters(const Model& model, const Feature_map is_feature, const Shared_options& options,

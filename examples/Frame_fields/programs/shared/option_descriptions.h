@@ -59,12 +59,10 @@ inline boost::program_options::options_description field_option_descriptions()
     ("edge-weights", po::value<std::string>()->value_name("W")->default_value("uniform"),
      "uniform, or geometric: by the shapes of the triangles, so that the field depends little on the mesh")
     ("curvature-weight", number_value("W", 0, "0"),
-     "how strongly the principal directions of curvature guide the field; 0 for not at all\n"
-     "(cad_frame_field alone)")
+     "how strongly the principal directions of curvature guide the field; 0 for not at all")
     ("index-targets", file_value(),
      "read singularities that the field must have: a vertex index of MODEL that is on no feature edge and 4 times\n"
-     "its index a line; the patches of these vertices then have no other singularities inside\n"
-     "(cad_frame_field alone)")
+     "its index a line; the patches of these vertices then have no other singularities inside")
     ("sharp-corner-bound", number_value("DEG", 135, "135"), "sectors of less than DEG degrees are sharp corners")
     ("blunt-corner-bound", number_value("DEG", 22.5, "22.5"),
      "other sectors that differ by more than DEG degrees from a straight line are blunt corners; 360 for none")

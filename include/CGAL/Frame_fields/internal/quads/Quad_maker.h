@@ -218,6 +218,8 @@ private:
         raise_cell_of(side);
       return true;
     }
+    if(raise_patches_without_quads())
+      return true;
     return raise_at_wrong_valences(complex, representative);
   }
 
@@ -264,6 +266,23 @@ private:
     const std::vector<Directed_piece>& pieces = m_t_meshes[origin.patch].cells[origin.cell].sides[side % 2];
     const int unknown = m_layout.unknown_of_piece(origin.patch, pieces.front().piece);
     m_layout.require(unknown, m_layout.value(unknown) + 1);
+  }
+
+  // No vertex of a torus without irregular vertices is critical, so all its pieces may have come out empty.
+  bool raise_patches_without_quads()
+  {
+    std::vector<char> has_quad(m_t_meshes.size(), 0);
+    for(const Quad_origin& origin : m_origin)
+      has_quad[origin.patch] = 1;
+    bool is_any_without = false;
+    for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
+      if(m_layout.sources()[patch] == Patch_source::T_MESH && !has_quad[patch])
+      {
+        const int number_of_pieces = static_cast<int>(m_t_meshes[patch].pieces.size());
+        for(int piece = 0; piece < number_of_pieces; ++piece)
+          is_any_without |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), piece), 1);
+      }
+    return is_any_without;
   }
 
   // Puts the representative of its class in the place of each vertex, with the freedom of the critical one.

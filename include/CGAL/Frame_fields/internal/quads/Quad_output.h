@@ -77,11 +77,12 @@ inline std::vector<char> sides_on_arcs(const Quad_complex& complex)
   return result;
 }
 
-inline void put_statistics(const std::reference_wrapper<Quad_statistics> map, const Quad_statistics& statistics)
+// Moved, since a copy may fail when the quads have been written.
+inline void put_statistics(const std::reference_wrapper<Quad_statistics> map, Quad_statistics& statistics)
 {
-  map.get() = statistics;
+  map.get() = std::move(statistics);
 }
-inline void put_statistics(const CGAL::internal_np::Param_not_found, const Quad_statistics&) {}
+inline void put_statistics(const CGAL::internal_np::Param_not_found, Quad_statistics&) {}
 
 template <typename Map, typename Key, typename Value>
 void put_if_given(const Map map, const Key& key, const Value& value) { put(map, key, value); }

@@ -47,22 +47,20 @@ auto reserve_elements(Mesh& mesh, const std::size_t vertices, const std::size_t 
 template <typename Mesh>
 void reserve_elements(Mesh&, std::size_t, std::size_t, std::size_t, long) {}
 
-// Links the halfedges outside. At a vertex where several fans of quads meet, the border goes on from each fan to the
-// next one, so that the halfedges around the vertex are one cycle. The vertex has a border halfedge, as some meshes
-// expect.
-template <typename QuadMesh>
-void link_borders(const Quad_complex& complex, const Quad_connectivity& connectivity,
-                  const Written_quads<QuadMesh>& written, QuadMesh& quad_mesh)
+// The border sides of one fan of quads that begin and end at a vertex.
+struct Border_passage
 {
-  struct Passage
+  int vertex, side, side_before;
+  bool operator<(const Border_passage& other) const
   {
-    int vertex, side, side_before; // the border sides of one fan that begin and end at the vertex
-    bool operator<(const Passage& other) const
-    {
-      return vertex != other.vertex ? vertex < other.vertex : side < other.side;
-    }
-  };
-  std::vector<Passage> passages;
+    return vertex != other.vertex ? vertex < other.vertex : side < other.side;
+  }
+};
+
+// Sorted by their vertices.
+inline std::vector<Border_passage> border_passages(const Quad_complex& complex, const Quad_connectivity& connectivity)
+{
+  std::vector<Border_passage> passages;
   for(int side = 0; side < static_cast<int>(connectivity.opposite.size()); ++side)
   {
     if(connectivity.opposite[side] >= 0)
@@ -73,6 +71,16 @@ void link_borders(const Quad_complex& complex, const Quad_connectivity& connecti
     passages.push_back({ side_source(complex, side), side, before });
   }
   std::sort(passages.begin(), passages.end());
+  return passages;
+}
+
+// Links the halfedges outside. At a vertex where several fans of quads meet, the border goes on from each fan to the
+// next one, so that the halfedges around the vertex are one cycle. The vertex has a border halfedge, as some meshes
+// expect.
+template <typename QuadMesh>
+void link_borders(const std::vector<Border_passage>& passages, const Written_quads<QuadMesh>& written,
+                  QuadMesh& quad_mesh)
+{
   for(std::size_t begin = 0, end; begin < passages.size(); begin = end)
   {
     for(end = begin + 1; end < passages.size() && passages[end].vertex == passages[begin].vertex; ++end) {}
@@ -98,6 +106,7 @@ Written_quads<QuadMesh> write_quads(const Quad_complex& complex, const Quad_conn
   std::size_t number_of_edges = 0;
   for(int side = 0; side < number_of_sides; ++side)
     number_of_edges += connectivity.opposite[side] < side;
+  const std::vector<Border_passage> passages = border_passages(complex, connectivity);
   Written_quads<QuadMesh> written;
   written.vertices.reserve(complex.vertices.size());
   written.faces.reserve(complex.quads.size());
@@ -131,7 +140,7 @@ Written_quads<QuadMesh> write_quads(const Quad_complex& complex, const Quad_conn
     if(side % 4 == 0)
       set_halfedge(written.faces[side / 4], h, quad_mesh);
   }
-  link_borders(complex, connectivity, written, quad_mesh);
+  link_borders(passages, written, quad_mesh);
   return written;
 }
 
