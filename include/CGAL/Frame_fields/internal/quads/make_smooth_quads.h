@@ -51,6 +51,14 @@ inline std::vector<char> filled_patches(const std::vector<T_mesh>& t_meshes)
   return result;
 }
 
+// Thin strips of quads widen through worse shapes than they end with.
+inline Smoothing_options smoothing_through_poor_shapes()
+{
+  Smoothing_options options;
+  options.passable = 0.05;
+  return options;
+}
+
 // The quads with the fewest inverted ones among those of several refinements.
 struct Refined_quads
 {
@@ -71,7 +79,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
   double least_edge_length = request.edge_length;
   for(const double edge_length : targets.edge_length)
     least_edge_length = (std::min)(least_edge_length, edge_length);
-  Smoothing_options options;
+  Smoothing_options options = smoothing_through_poor_shapes();
   options.may_release_bends = false;
   Refined_quads best;
   std::size_t least_number_of_inverted = 0;
@@ -110,7 +118,7 @@ Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedd
   Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
   Refined_quads quads =
     make_refined_quads(surface, embedding, features, t_meshes, request, targets, maker, clock);
-  Smoothing_options options;
+  Smoothing_options options = smoothing_through_poor_shapes();
   options.arc_tolerance = quads.arc_tolerance;
 
   // Valid quads matter more than that vertices stay at the bends of arcs.

@@ -43,7 +43,7 @@ struct Smoothing_options
   bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
   double arc_tolerance = 0;                 // by how much sides may leave arcs there
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
-  double passable = 0.05;                   // the same in the first sweeps: thin strips widen through worse shapes
+  double passable = 0.6;                    // the same in the first sweeps
   double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
 };
 
