@@ -10,9 +10,10 @@
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
+#include <CGAL/Frame_fields/internal/quads/Patch_assembly.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
-#include <CGAL/Frame_fields/internal/quads/Patch_assembly.h>
+#include <CGAL/Frame_fields/internal/quads/Quantized_layout.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
@@ -30,6 +31,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -479,6 +481,31 @@ public:
     return smoothed(complex, is_certified);
   }
 
+  // The numbers of edges of all arcs when edges of quads are asked to be as long as given, over the mean edge length.
+  std::vector<int> edges_of_arcs(const double relative_length) const
+  {
+    std::vector<FF::internal::T_mesh> t_meshes(number_of_patches());
+    for(std::size_t p = 0; p < number_of_patches(); ++p)
+      t_meshes[p] = make_T_mesh(m_surface, m_surface.patches[p], m_index, m_map, m_is_arc_node).mesh;
+    FF::internal::Quantized_layout layout(m_surface, m_embedding, m_index, m_features, t_meshes,
+                                          relative_length * m_length, {});
+    layout.quantize();
+    return layout.edges_of_arc();
+  }
+
+  // The same when all patches are filled; nothing if one of them is split into its triangles instead.
+  std::vector<int> edges_of_arcs_of_fillings(const double relative_length) const
+  {
+    std::vector<FF::internal::T_mesh> t_meshes(number_of_patches());
+    FF::internal::Quad_maker maker(m_surface, m_embedding, m_index, m_features, m_map, t_meshes,
+                                   relative_length * m_length);
+    maker.make();
+    for(const Patch_source source : maker.layout().sources())
+      if(source != Patch_source::FILLING)
+        return {};
+    return maker.layout().edges_of_arc();
+  }
+
   // The last resort, beside patches that are filled: three quads for each triangle.
   Marked_surface quads_of_triangles(const std::vector<char>& is_split) const
   {
@@ -574,6 +601,25 @@ TEST(Quad_meshes_with_filled_patches, fulfil_the_contract)
         EXPECT_FALSE(is_without[p] && quads.is_certified[p]);
     }
   }
+}
+
+// The rims of an open cylinder are polygons with 16 corners. A side across three of their edges would be 1 - cos(33.75
+// degrees) = 0.17 away from the rim, which is 2.7 % of its length.
+TEST(Numbers_of_edges, follow_the_bends_of_arcs)
+{
+  const std::vector<int> edges = Prepared_model(open_cylinder()).edges_of_arcs(100);
+  ASSERT_EQ(2u, edges.size());
+  for(const int n : edges)
+    EXPECT_LE(8, n);
+}
+
+// However few edges are asked for: no edge of a filling may join a vertex with itself, or be there twice.
+TEST(Numbers_of_edges, suffice_for_fillings)
+{
+  for(const Model& model : models_of_several_patches())
+    for(const int n : Prepared_model(model).edges_of_arcs_of_fillings(1000))
+      EXPECT_TRUE(n >= 2 && n % 2 == 0) << n;
+  EXPECT_FALSE(Prepared_model(loop_of_three_edges()).edges_of_arcs_of_fillings(1000).empty());
 }
 
 // Where triangles are obtuse, quads may be inverted.
