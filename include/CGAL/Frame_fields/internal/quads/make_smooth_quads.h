@@ -95,7 +95,9 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
     const std::vector<int> inverted =
       smooth_inverted_quads(next.complex, surface, embedding, features, next.is_filled, options);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
-    const bool is_worth_more = refinement == 0 || 4 * inverted.size() <= 3 * least_number_of_inverted;
+    const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
+    const bool is_worth_more =
+      refinement == 0 || are_few_quads || 4 * inverted.size() <= 3 * least_number_of_inverted;
     const bool has_more_room = is_worth_more && !inverted.empty() && refinement < maximum_number_of_refinements
                                && maker.refine(next.complex, inverted);
     if(is_better)

@@ -110,13 +110,12 @@ private:
   bool improve(const int vertex)
   {
     const int maximum_number_of_halvings = 3;
-    const double over_relaxation = 1.3;
     const bool is_on_arc = m_quads.freedom(vertex) == Sliding_quads::ON_ARC;
     const Quad_shape old_shape = m_quads.shape_around(vertex);
     const double old_length = m_quads.arc_order().length(vertex);
     const double length_step = is_on_arc ? length_of_least_distortion(m_quads, vertex) - old_length : 0;
     const Coordinates step = is_on_arc ? Coordinates{ 0, 0, 0 } : step_inside(m_quads, vertex);
-    double part = over_relaxation;
+    double part = 1;
     for(int i = 0; i <= maximum_number_of_halvings; ++i, part /= 2)
     {
       Slide slide;
