@@ -57,7 +57,8 @@ public:
   /// the type of the entries
   typedef Scalar_ Scalar;
 
-  /// constructs a solver that holds no matrix.
+  /// constructs a solver that holds no matrix. `tolerance`, positive, bounds the norm of the residual divided by that
+  /// of the right-hand side; `maximum_number_of_iterations` is at least 1.
   Amgcl_positive_definite_solver(const double tolerance, const int maximum_number_of_iterations)
     : m_tolerance(tolerance), m_maximum_number_of_iterations(maximum_number_of_iterations)
   {}
@@ -193,10 +194,10 @@ private:
 /// is a solver traits for very large patches: conjugate gradients with an algebraic multigrid by AMGCL, whose time and
 /// memory grow in proportion to the size of a patch. The header needs AMGCL's, and nothing to link with.
 ///
-/// Each solution is accurate to a residual of `tolerance` times the right-hand side. The functions of this package ask
-/// for as many as are needed for the accuracy of a direct solver in every face, so a smaller `tolerance` gives no
-/// better field. A patch without constrained edges, whose matrix is nearly singular, may take more than the maximum
-/// number of iterations; then the result is `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
+/// Each solution is accurate to a residual of `tolerance` times the right-hand side. The functions of this package
+/// refine it by further solutions until it is as accurate in every face as that of a direct solver, so a smaller
+/// `tolerance` gives no better field. A patch without constrained edges, whose matrix is nearly singular, may take more
+/// than the maximum number of iterations; then the result is `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
 ///
 /// \cgalModels{FrameFieldSolverTraits}
 class Amgcl_frame_field_solver_traits
@@ -211,7 +212,8 @@ public:
   /// Solvers share nothing.
   typedef CGAL::Tag_true Has_independent_solvers;
 
-  /// sets how accurate solutions are and how long they may take.
+  /// sets the relative residual that solutions must reach, positive, and the number of iterations that each may take,
+  /// at least 1.
   explicit Amgcl_frame_field_solver_traits(const double tolerance = 1e-10,
                                            const int maximum_number_of_iterations = 1000)
     : m_tolerance(tolerance), m_maximum_number_of_iterations(maximum_number_of_iterations)

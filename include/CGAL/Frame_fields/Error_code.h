@@ -21,8 +21,8 @@
 namespace CGAL {
 namespace Frame_fields {
 
-// Curses and others define a macro of this name. It is put aside here, and whoever defined it has it back afterwards;
-// where it is 0, it even stands for the enumerator.
+// Curses and other libraries define a macro of this name. It is undefined here and restored below. Where it is 0, `OK`
+// has the value of the enumerator then, too.
 #pragma push_macro("OK")
 #undef OK
 

@@ -31,7 +31,7 @@ struct Quad_quality
   /// the number of quads
   std::size_t number_of_quads = 0;
 
-  /// the number of faces that are no quads
+  /// the number of faces that are not quads
   std::size_t number_of_other_faces = 0;
 
   /// the least scaled Jacobian of a quad; 1 if there is none
@@ -46,14 +46,14 @@ struct Quad_quality
   /// the number of quads whose scaled Jacobian is below 0.2, also those where it is not positive
   std::size_t number_of_bad_quads = 0;
 
-  /// the number of vertices without constrained and border edges that have not four faces
+  /// the number of vertices on no constrained or border edge that do not have four faces
   std::size_t number_of_irregular_vertices = 0;
 
   /// the number of sectors between two constrained or border edges that follow each other around a vertex, in which the
   /// number of faces is not that of their angle: a quarter of a turn for each, rounded, and at least one
   std::size_t number_of_irregular_sectors = 0;
 
-  /// the least length of an edge
+  /// the least length of an edge; 0 if there is none
   double minimum_edge_length = 0;
 
   /// the mean length of the edges

@@ -26,7 +26,7 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsEnums
 ///
-/// lists the stages of `cad_quad_mesh()` in their order.
+/// lists the stages of `cad_quad_mesh()` and `quad_mesh()` in their order.
 enum class Quad_stage
 {
   PREPARATION,   ///< a copy of the mesh is refined until the field and the map have room
@@ -40,9 +40,9 @@ enum class Quad_stage
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// is the default visitor of `cad_quad_mesh()`; it does nothing.
+/// is the default visitor of `cad_quad_mesh()` and `quad_mesh()`; it does nothing.
 ///
-/// A visitor of its own derives from it and hides the functions it wants to hear of.
+/// A visitor class can derive from it and hide the functions that it wants to be called.
 struct Default_quad_mesh_visitor : Default_frame_field_visitor
 {
   using Default_frame_field_visitor::start_stage;
@@ -69,12 +69,12 @@ struct Patch_quad_statistics
   std::size_t number_of_quads = 0;           ///< quadrangles of the result
   Patch_way way = Patch_way::CERTIFIED_MAP;  ///< where these come from
   std::string reason;                        ///< why the patch was filled; empty otherwise
-  std::size_t number_of_cancelled_pairs = 0; ///< pairs of indices of its field that went, since it had no map with them
+  std::size_t number_of_cancelled_pairs = 0; ///< pairs of indices that its field lost, since they excluded every map
 };
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// holds the wall-clock seconds of each stage of `cad_quad_mesh()`.
+/// holds the wall-clock seconds of each stage of `cad_quad_mesh()` or `quad_mesh()`.
 struct Quad_stage_seconds
 {
   double preparation = 0;   ///< of `Quad_stage::PREPARATION`
@@ -89,7 +89,7 @@ struct Quad_stage_seconds
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// holds the figures of one call of `cad_quad_mesh()`; see its named parameter `statistics`.
+/// holds the figures of one call of `cad_quad_mesh()` or `quad_mesh()`; see their named parameter `statistics`.
 struct Quad_statistics
 {
   std::size_t number_of_patches = 0;           ///< pieces of the surface cut along its features
@@ -100,7 +100,7 @@ struct Quad_statistics
   std::size_t number_of_arcs = 0;              ///< feature curves between nodes, or closed without any
   std::size_t number_of_unmet_edge_numbers = 0; ///< arcs that do not have the number of edges of `number_of_edges_map`
   std::size_t number_of_quads = 0;             ///< faces of the result
-  double target_edge_length = 0;               ///< the one given, or the one that follows from `number_of_quads`
+  double target_edge_length = 0;               ///< the one given, or what `number_of_quads` or `sizing_map` amount to
 
   /// one entry for each patch, in the order of the numbers in `face_to_patch_map`
   std::vector<Patch_quad_statistics> patches;

@@ -21,13 +21,14 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// holds the figures of one call of `refine_triangles()`; see its named parameter `statistics`.
+/// holds the figures of one call of `refine_triangles()`, `prepare_for_frame_field()`, `split_chords()` or
+/// `split_overconstrained_faces()`; see their named parameter `statistics`. What a function does not do counts 0.
 struct Refinement_statistics
 {
   std::size_t number_of_splits = 0;      ///< edges split at their midpoints
   std::size_t number_of_split_faces = 0; ///< faces split at a point inside
   std::size_t number_of_flips = 0;       ///< edges flipped
-  double flip_tolerance = 0;             ///< how far a flip was allowed to move the surface; 0 if none was
+  double flip_tolerance = 0;             ///< a length of the mesh: how far a flip was allowed to move the surface
 };
 
 } // namespace Frame_fields

@@ -143,9 +143,8 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
                           weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
-                          by
-                          \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, twice it is the
-                          factor of the squared angle to the nearest branch pair.}
+                          by \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, the squared angle to
+                          the nearest branch pair has twice this factor.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
     \cgalParamDefault{1 for all faces, if there is guidance}

@@ -99,7 +99,7 @@ vertices are on them.
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges of the quads should have, a length of `tm`}
     \cgalParamType{`double`, positive and finite}
-    \cgalParamDefault{the mean length of the edges of `tm`}
+    \cgalParamDefault{the mean length of the sides of the faces of `tm`}
     \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 2 percent of
                     this length.}
   \cgalParamNEnd
@@ -208,8 +208,8 @@ vertices are on them.
 \cgalNamedParamsEnd
 
 \return `OK`, or one of the error codes of `cad_frame_field()` other than `ERROR_OVERCONSTRAINED_FACE`; a size out of
-        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`, and so do two numbers of edges
-        on one curve. Nothing is added to `quad_mesh` then.
+        its range, or one of more than about 10^8 quads, gives `ERROR_WRONG_PARAMETER`, and so do two different numbers
+        of edges on one curve, or one below 3 on a closed curve without a node. Nothing is added to `quad_mesh` then.
 
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.

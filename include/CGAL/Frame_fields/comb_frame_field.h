@@ -83,7 +83,7 @@ no multiple of 4; where no seam ends, they go on.
 
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE` or
         `ERROR_WRONG_FIELD` (a matching that is not opposite on opposite halfedges)
 

@@ -40,14 +40,14 @@ finds feature edges by the angles between the normals of their faces, and cleans
    the smaller turns is taken.
 -# Features form chains, which reach from one vertex where not exactly two features meet to the next. A chain shorter
    than the minimum length is no feature if one of its ends dangles, or if it is closed and meets no other. The shortest
-   chain goes first; two chains that are left at a vertex become one. So spurs are removed; the
-   chains that they branch from and the boundaries of patches stay.
+   chain goes first; two chains that are left at a vertex become one. So spurs are removed; the chains that they branch
+   from and the boundaries of patches stay.
 
 Border edges always are features. Coordinates have errors, so a face that is hardly higher than they are has no normal
 of its own: one whose height over its longest edge is at most 4.5 times the error of a coordinate. The normal of the
 neighbor that it lies along stands for it, and its own where no neighbor is better off.
 
-\tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a class model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -74,7 +74,7 @@ neighbor that it lies along stands for it, and its own where no neighbor is bett
   \cgalParamNEnd
   \cgalParamNBegin{minimum_chain_length}
     \cgalParamDescription{the length under which chains that dangle, or are closed and alone, are removed}
-    \cgalParamType{`double`, not negative}
+    \cgalParamType{`double`, a length of the mesh, not negative}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{coordinate_error}
@@ -142,7 +142,7 @@ Result detect_feature_edges(const TriangleMesh& tm, EdgeIsFeatureMap edge_is_fea
 lists the dangling ends of features: the vertices at which exactly one feature edge ends. There a curve ends inside a
 patch, and the field sees one sector of a full turn. Often an edge of the features is missing.
 
-\tparam TriangleMesh a model of `EdgeListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsFeatureMap a class model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
 \tparam OutputIterator a model of `OutputIterator` that accepts `boost::graph_traits<TriangleMesh>::%vertex_descriptor`

@@ -100,8 +100,7 @@ a smaller sum. The field does not depend on the number of threads.
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
                           weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
-                          by
-                          \f$ \sqrt 3 \f$, so that the sum is an integral.}
+                          by \f$ \sqrt 3 \f$, so that the sum is an integral.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
     \cgalParamDefault{1 for all faces, if there is guidance}
@@ -152,8 +151,8 @@ a smaller sum. The field does not depend on the number of threads.
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
         `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite, beyond \f$ \pm 10^6 \f$ or not opposite on
-        opposite halfedges), `ERROR_POINCARE_HOPF` (index targets that do not sum) or
-        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        opposite halfedges, a guiding direction or an index target that cannot be used), `ERROR_POINCARE_HOPF` (index
+        targets that do not sum to the Euler characteristic) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a hermitian matrix with one row for each face without constrained edge, and
 one solve; up to 100 solves in a patch without any constrained edge.

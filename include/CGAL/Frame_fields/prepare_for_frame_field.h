@@ -81,9 +81,10 @@ mesh that needs nothing stays as it is.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or
-        `ERROR_ZERO_LENGTH_EDGE`. On an error of the mesh as it was given, \c tm is unchanged. Where an edge is so short
-        that its midpoint is one of its ends, the split mesh has an edge of length zero, and this is the error.
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
+        `ERROR_NON_FINITE_COORDINATE` or `ERROR_ZERO_LENGTH_EDGE`. On an error of the mesh as it was given,
+        \c tm is unchanged. Where an edge is so short that its midpoint is one of its ends, the split mesh has an edge
+        of length zero; then `ERROR_ZERO_LENGTH_EDGE` is returned, and \c tm stays split.
 
 \exception std::bad_alloc if memory is exhausted
 

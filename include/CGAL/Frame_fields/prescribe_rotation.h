@@ -35,10 +35,12 @@ namespace Frame_fields {
 computes the rotation \f$ \omega_{ij} \f$ that a frame field should make across each unconstrained edge so that sharp
 corners do not become singularities of index \f$ 1/2 \f$ (Section 3.2 of \cgalCite{cgal:dprcs-ffcm-22}).
 
-With the strategies `Support_strategy::rings()` and `Support_strategy::component()` the rotations sum to
-\f$ \theta - \pi/2 \f$ counter-clockwise around a sharp corner of angle \f$ \theta < 3\pi/4 \f$, which is what index
-\f$ 1/4 \f$ needs; elsewhere they sum to what the strategy takes back. Among all rotations with these sums this one has
-the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly zero in patches without sharp corner.
+With the strategies `Support_strategy::rings()`, `Support_strategy::component()` and `Support_strategy::radius()` the
+rotations sum to \f$ \theta - \pi/2 \f$ counter-clockwise around a sharp corner of angle \f$ \theta < 3\pi/4 \f$, which
+is what index \f$ 1/4 \f$ needs; elsewhere they sum to what the strategy takes back. In a patch with index targets they
+sum to what the targets need, whatever the strategy. Among all rotations with these sums this one has the smallest
+\f$ \sum w_{ij} \omega_{ij}^2 \f$. It is exactly zero in patches that have neither sharp nor blunt corners nor index
+targets.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, or a `Cut_triangle_mesh`
 \tparam PrescribedRotationMap a class model of `WritablePropertyMap` with
@@ -124,12 +126,14 @@ the smallest \f$ \sum \omega_{ij}^2 \f$. Whatever the strategy, it is exactly ze
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
-        `ERROR_WRONG_FIELD` (two index targets for one sector), `ERROR_POINCARE_HOPF` (index targets that do not sum to
-        the Euler characteristic; the message names what is missing), `ERROR_NO_RECEIVING_SECTOR` (only for sharp
-        bounds of \f$ \pi \f$ and more) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        `ERROR_WRONG_FIELD` (two index targets for one sector, or one out of range), `ERROR_POINCARE_HOPF` (index
+        targets that do not sum to the Euler characteristic; the message names what is missing),
+        `ERROR_NO_RECEIVING_SECTOR` (only for sharp bounds of \f$ \pi \f$ and more) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
-One sparse factorization for each patch with sharp corners, of a matrix with one row less than the patch has sectors;
-none with `Support_strategy::none()` and `Support_strategy::local()`.
+For each patch with sharp or blunt corners, or with index targets, one sparse factorization of a symmetric matrix with
+one row less than the patch has sectors. Patches without index targets need none with `Support_strategy::none()` and
+`Support_strategy::local()`.
 
 \sa `sharp_corners()`
 

@@ -93,7 +93,7 @@ unless `repair_matching` is `false`.
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges of the quads should have, a length of `tm`}
     \cgalParamType{`double`, positive and finite}
-    \cgalParamDefault{the mean length of the edges of `tm`}
+    \cgalParamDefault{the mean length of the sides of the faces of `tm`}
     \cgalParamExtra{Feature curves that bend get more edges, so that the quads leave them by no more than 2 percent of
                     this length.}
   \cgalParamNEnd
@@ -194,8 +194,11 @@ unless `repair_matching` is `false`.
 \pre No face has more than one constrained edge, see `split_overconstrained_faces()`.
 
 \return `OK`, one of the error codes of `seamless_parameterization()`, among them `ERROR_WRONG_FIELD` for a field that
-        is not aligned or whose indices are not those of its matching, or `ERROR_WRONG_PARAMETER` for what
+        is not aligned or whose indices are not those of its matching, or `ERROR_WRONG_PARAMETER` where
         `cad_quad_mesh()` returns it. Nothing is added to `quad_mesh` then.
+
+The complexity is that of `cad_quad_mesh()` without its field, except that fields that are computed anew take what
+`cad_frame_field()` does.
 
 \sa `cad_quad_mesh()`
 \sa `seamless_parameterization()`

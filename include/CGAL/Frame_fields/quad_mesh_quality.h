@@ -69,7 +69,7 @@ measures a quad mesh, so that quad meshes can be compared.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_MESH_TOO_LARGE` or `ERROR_NON_FINITE_COORDINATE`
+\return `OK`, `ERROR_MESH_TOO_LARGE` (the faces have more than 2^30 corners together) or `ERROR_NON_FINITE_COORDINATE`
 
 \cgalBigO{n} for \f$ n \f$ faces.
 

@@ -106,6 +106,7 @@ is not above `flip_tolerance`; where flips follow one another, what they move ad
     \cgalParamDescription{gets the numbers of splits and flips}
     \cgalParamType{`std::reference_wrapper<Refinement_statistics>`}
     \cgalParamDefault{they are not told}
+    \cgalParamExtra{Set on success only.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

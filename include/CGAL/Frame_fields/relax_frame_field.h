@@ -51,7 +51,7 @@ indices stay what they are.
 \param tm the mesh
 \param alpha_map holds the orthogonal field of `orthogonal_frame_field()` and gets the angle of the first branch of the
        relaxed one, in radians
-\param skewness_map gets the skewness: the branches of a face stand at
+\param skewness_map gets the skewness, in radians: the branches of a face stand at
        \f$ \alpha, \alpha + \pi/2 + \rho, \alpha + \pi \f$ and \f$ \alpha + 3\pi/2 + \rho \f$
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -124,9 +124,8 @@ indices stay what they are.
     \cgalParamDescription{how strongly the direction of each face guides: the factor of
                           \f$ |z_i - z_{i,\mathrm{guide}}|^2 \f$; 0 for not at all, infinity for exactly. With edge
                           weights other than `Edge_weighting::UNIFORM` it is multiplied by the area of the face divided
-                          by
-                          \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, twice it is the
-                          factor of the squared angle to the nearest branch pair.}
+                          by \f$ \sqrt 3 \f$, so that the sum is an integral. In the relaxation, the squared angle to
+                          the nearest branch pair has twice this factor.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `double` as value type}
     \cgalParamDefault{1 for all faces, if there is guidance}
@@ -166,8 +165,9 @@ indices stay what they are.
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
         `ERROR_WRONG_FIELD` (an angle or rotation that is not finite or beyond \f$ \pm 10^6 \f$, a frame that is not
-        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges),
-        `ERROR_POINCARE_HOPF` (index targets that do not sum) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges, a guiding
+        direction or an index target that cannot be used), `ERROR_POINCARE_HOPF` (index targets that do not sum to the
+        Euler characteristic) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a symmetric matrix with one row for each branch pair that is free to turn, at
 most two for each face, and one solve.

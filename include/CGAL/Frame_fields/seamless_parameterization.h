@@ -94,8 +94,8 @@ its corners are at the origin. Nothing ties different patches to one another, no
     \cgalParamDefault{the mean length of the sides of the faces}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_quads}
-    \cgalParamDescription{how many squares of this length are as large as the surface, in place of
-                          `target_edge_length`}
+    \cgalParamDescription{the area of the surface in squares of the length that is to become 1, in place
+                          of `target_edge_length`}
     \cgalParamType{a number, at least 1}
     \cgalParamDefault{it follows from `target_edge_length`}
     \cgalParamExtra{The area of a map is near to this number as far as the field lets lengths be what they should.}
@@ -137,13 +137,14 @@ its corners are at the origin. Nothing ties different patches to one another, no
      edge joins two vertices of constrained edges that lie on one straight side has no map, see `split_chords()`.
 
 \return `OK`, also if there are patches without a certified map, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`,
-        `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`,
-        `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER` or `ERROR_WRONG_FIELD` (an angle that is not finite, a
-        skewness of \f$ \pi / 2 \f$ or more, a frame that is not aligned with the constrained edge of its face, a
-        matching that is not opposite on opposite halfedges, an index that is not that of the field)
+        `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`, `ERROR_NON_FINITE_COORDINATE`,
+        `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER` or `ERROR_WRONG_FIELD` (an
+        angle that is not finite or beyond \f$ \pm 10^6 \f$, a skewness of \f$ \pi / 2 \f$ or more, a
+        frame that is not aligned with the constrained edge of its face, a matching that is not opposite on opposite
+        halfedges, an index that is not that of the field)
 
-For each patch one sparse factorization of a symmetric matrix with about one row for each face. Patches in which the
-first solution is not injective need up to some hundred solves more, and a few of them some factorizations more.
+For each patch one sparse factorization of a symmetric matrix with about one row for each face. A patch whose first
+solution is not injective needs more solves, about 1200 at most, and a few patches need more factorizations as well.
 
 \sa `cad_frame_field()`
 \sa `singularity_indices()`

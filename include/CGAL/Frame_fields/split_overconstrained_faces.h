@@ -30,11 +30,13 @@ namespace Frame_fields {
 \ingroup PkgFrame_fieldsRef
 
 splits each face with two or three constrained edges into three at its centroid, so that no face has more than one
-constrained edge, as all other functions of this package require (Section 3.3 of \cgalCite{cgal:dprcs-ffcm-22}). On a
-degenerate face whose centroid is one of its vertices it takes another point inside.
+constrained edge, as the functions that compute fields and maps require (Section 3.3 of
+\cgalCite{cgal:dprcs-ffcm-22}). A degenerate face whose centroid is one of its vertices is split at another
+point inside.
 
 A frame cannot be aligned with two edges of a face unless they are perpendicular. The surface does not change. Only
-this function, `split_chords()`, `prepare_for_frame_field()`, which does both, and `refine_triangles()` change a mesh.
+this function, `split_chords()`, `prepare_for_frame_field()`, which does what both do, and `refine_triangles()` change a
+triangle mesh.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

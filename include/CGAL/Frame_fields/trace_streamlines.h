@@ -94,12 +94,13 @@ another line of its branch pair or to itself.
     \cgalParamType{`double`, a length, or `std::optional<double>`}
     \cgalParamDefault{a fiftieth of the square root of the area of `tm`, or \f$ 10^{-3} \f$ of its longest edge if that
                       is more}
-    \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and a square of it at least
+    \cgalParamExtra{It must be at least \f$ 10^{-6} \f$ of the longest edge, and its square at least
                     \f$ 10^{-9} \f$ of the area.}
   \cgalParamNEnd
   \cgalParamNBegin{streamline_separation}
     \cgalParamDescription{the part of the spacing at which a line stops when it comes near to another one of its
-                          branch pair, to itself or to such an edge; with 0 no line stops for this reason}
+                          branch pair, to itself or to a constrained edge that the field is aligned with; with 0 no
+                          line stops for this reason}
     \cgalParamType{`double` in \f$ [0, 1] \f$}
     \cgalParamDefault{0.5}
     \cgalParamExtra{This is checked at points of the line that are a quarter of the separation apart.}

@@ -26,8 +26,9 @@ namespace Frame_fields {
 namespace internal {
 
 // The energy that untangles a map: on each face weight ((1 - t) |J|^2 + t (d^2 + 1)) / chi(d) with d = det J, on each
-// constrained edge weight (r^2 + 1) / chi(r) with r = growth / length, where chi(d) = (d + sqrt(eps^2 + d^2)) / 2 is a
-// positive stand-in for d. As eps goes to 0 it keeps out faces that are turned over and edges that run backward.
+// constrained edge s weight (r^2 + 1) / chi(r) with r = growth / length, where chi(d) = (d + sqrt(eps^2 + d^2)) / 2 is
+// a positive substitute for d; t is `theta` and s is `factor_of_sides`. As eps goes to 0, the energy becomes infinite
+// for inverted faces and for edges that run backward.
 // (Garanzha et al., Foldover-free maps in 50 lines of code, for faces.)
 class Barrier_energy
 {
@@ -36,7 +37,7 @@ public:
 
   void set_epsilon(const double epsilon) { m_epsilon = epsilon; }
 
-  // The energy of x and its gradient. Finds the least d and r, too.
+  // Returns the energy of x and sets its gradient. Finds the least d or r as well, see `least()`.
   double operator()(const std::vector<double>& x, std::vector<double>& gradient)
   {
     gradient.assign(x.size(), 0);
@@ -52,7 +53,7 @@ public:
   // The least d or r at the last call.
   double least() const { return m_least; }
 
-  // Per face: how many times as stiff as with chi = 1 it is at x, within limits.
+  // Per face: 1 / chi(d) at x, the factor by which the barrier stiffens the face, within limits.
   std::vector<double> stiffness_of_faces(const std::vector<double>& x) const
   {
     const double least_stiffness = 1e-3, largest_stiffness = 1e8;

@@ -35,7 +35,7 @@ public:
     : m_surface(surface), m_patch(patch), m_alpha(alpha), m_rho(rho), m_combing(combing)
   {}
 
-  // The angle of a branch of the chart in its face.
+  // The angle of a branch of the chart, in radians from the first halfedge of its face.
   double angle(const int face, const int branch) const
   {
     const int k = (branch + m_combing.turn[face - m_patch.faces.begin_index]) & 3;
@@ -60,7 +60,7 @@ public:
     return best;
   }
 
-  // A halfedge as a combination of branches 0 and 1, which may lean against one another.
+  // The coefficients of a halfedge in the unit vectors along branches 0 and 1, which need not be perpendicular.
   Plane_vector coordinates(const int halfedge) const
   {
     const int face = face_of(halfedge);

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The charts of the faces of one patch: those joined by a spanning tree of dual edges agree, and what is left between
-// the others are quarter turns.
+// The charts of the faces of one patch. Charts joined by an edge of a spanning tree of dual edges agree; across the
+// other edges they differ by quarter turns.
 struct Combing
 {
   std::vector<unsigned char> turn;          // per face of the patch: its branch k is branch k + turn of the field
@@ -46,8 +46,8 @@ inline std::vector<unsigned char> matching_on_halfedges(const Cut_surface& surfa
   return result;
 }
 
-// Grows the tree breadth-first from `root`: the edges that it leaves are then short cuts from the border and from
-// singularities away from the root.
+// Grows the spanning tree breadth-first from the face `root`, so that the edges it does not cross, once pruned, form
+// short cuts that lead away from the root.
 inline Combing comb(const Cut_surface& surface, const Patch& patch, const std::vector<int>& matching, const int root)
 {
   const int first_face = patch.faces.begin_index, first_halfedge = 3 * first_face;

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A chain of cut edges that no other one meets on its way, walked such that all their halfedges lie on its left. The
-// charts on its right are turned against those on its left by the same quarter turns.
+// A chain of cut edges without a node inside, given by its halfedges on the left. All charts on its right are turned
+// against those on its left by the same number of quarter turns.
 struct Cut_branch
 {
   Index_range halfedges; // in `Cut_graph::halfedges`
@@ -81,7 +81,7 @@ private:
     return m_index[sector] != 0 || m_surface.is_constrained_sector(sector);
   }
 
-  // Takes away the dead ends at regular sectors.
+  // Removes cut edges that end at regular sectors, until there are none.
   void prune()
   {
     std::vector<int> ends; // halfedges to them

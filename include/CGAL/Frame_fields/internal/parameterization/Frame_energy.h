@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The faces of a patch as their frames see them. The map whose differential takes branch 0 to (1, 0) and branch 1 to
-// (0, 1), divided by the target length, is the one that the field asks for.
+// The faces and constrained edges of a patch, measured in the frames of the faces. The field asks for the map whose
+// differential takes branch 0 to (1, 0) and branch 1 to (0, 1), divided by the target length.
 class Map_elements
 {
 public:
@@ -83,7 +83,7 @@ public:
   // A constrained edge counts as much as its face.
   double weight(const Side& side) const { return weight(m_faces[side.face]); }
 
-  // Makes what happens in a face count more.
+  // Multiplies the stiffness of a face by `factor`.
   void stiffen(const int face_of_patch, const double factor) { m_faces[face_of_patch].stiffness *= factor; }
 
 private:
@@ -123,8 +123,9 @@ private:
   std::vector<Side> m_sides; // per side edge
 };
 
-// The minimization over z of the sum of weight |J - I|^2 over the faces, where J is the differential of x = B z, and of
-// a part of weight (growth / length - 1)^2 over the constrained edges.
+// The quadratic energy of z: the sum of weight |J - I|^2 over the faces, where J is the differential of x = B z, and of
+// `part_of_sides` weight (growth / length - 1)^2 over the constrained edges. Its minimum solves `matrix()` z =
+// `right_hand_side()`.
 class Frame_energy
 {
 public:
@@ -190,7 +191,7 @@ private:
     }
   }
 
-  // The part of a lower triangle that `value` between two coordinates makes between the unknowns.
+  // Adds the lower triangle of B^T V B, where V has the one entry `value` between two coordinates.
   template <typename Add>
   void add_product(const int coordinate_i, const int coordinate_j, const double value, const Add& add) const
   {
@@ -204,7 +205,7 @@ private:
     });
   }
 
-  // Less leaves more constrained edges running backward, more leaves more faces turned over.
+  // A smaller value leaves more constrained edges that run backward, a larger one more inverted faces.
   static constexpr double part_of_sides = 0.3;
 
   const Map_elements& m_elements;

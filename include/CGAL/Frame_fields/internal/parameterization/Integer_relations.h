@@ -39,7 +39,7 @@ typedef std::vector<Integer_term> Integer_row;
 class Integer_relations
 {
 public:
-  // What a variable weighs is how many rows of the caller it stands in: those that weigh least are eliminated first.
+  // The weight of a variable is the number of the caller's rows that it occurs in; lighter ones are eliminated first.
   explicit Integer_relations(const std::vector<int>& weight)
     : m_weight(weight), m_place_of(weight.size(), -1), m_value(weight.size(), 0), m_is_touched(weight.size(), false)
   {}
@@ -47,7 +47,7 @@ public:
   int number_of_variables() const { return static_cast<int>(m_weight.size()); }
   bool is_free(const int variable) const { return m_place_of[variable] < 0; }
 
-  // Whether a coefficient became too large.
+  // Whether a coefficient exceeded `largest_coefficient`. Rows are meaningless then.
   bool has_overflow() const { return m_has_overflow; }
 
   // Demands that the row vanishes.
@@ -114,7 +114,7 @@ private:
   struct Elimination
   {
     int variable;
-    Integer_row row; // what it is
+    Integer_row row; // what the variable equals, in variables that are free or were eliminated later
   };
 
   static void divide_by_common_factor(Integer_row& row)
@@ -151,8 +151,8 @@ private:
     m_eliminations.push_back(elimination);
   }
 
-  // Replaces the variable of the smallest coefficient by a new one less multiples of the others, such that what is left
-  // of their coefficients is smaller, as in Euclid's algorithm.
+  // Replaces the variable of the smallest coefficient by a new one minus multiples of the others. This leaves the
+  // remainders as their coefficients, as in Euclid's algorithm.
   void change_variable(Integer_row& row, const std::size_t pivot)
   {
     const Integer_term old = row[pivot];

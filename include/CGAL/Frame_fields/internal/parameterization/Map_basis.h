@@ -49,7 +49,7 @@ public:
   bool has_overflow() const { return m_has_overflow; }
   bool has_forced_zero_side() const { return m_forced_zero_side[0] >= 0; }
 
-  // The sectors at both ends of such a side, or else -1.
+  // The sectors at both ends of a side that has, or part of which has, length 0 in all maps; -1 if there is none.
   const std::array<int, 2>& forced_zero_side() const { return m_forced_zero_side; }
 
   const std::vector<Side_edge>& side_edges() const { return m_side_edges; }
@@ -111,7 +111,7 @@ private:
     return coordinate;
   }
 
-  // Makes one variable of the coordinates that stay along each constrained edge.
+  // Merges the coordinates that are constant along a constrained edge into one variable.
   void align()
   {
     m_parent.resize(m_number_of_coordinates);
@@ -156,7 +156,7 @@ private:
     m_has_overflow = relations.has_overflow();
   }
 
-  // How many coordinates are one variable, or how many vertices a translation carries over.
+  // Per variable: how many coordinates it stands for, or how many edges of the cut its translation carries over.
   std::vector<int> weights() const
   {
     std::vector<int> weight(m_number_of_coordinates + 2 * m_graph.branches.size(), 0);
@@ -198,7 +198,7 @@ private:
       for(const Integer_term& term : row_of[m_parent[i]])
         ++number_of_rows[term.variable];
 
-    // The unknowns that stand in many rows come last.
+    // The unknowns that occur in many rows come last.
     std::vector<int> unknowns;
     for(int variable = 0; variable < relations.number_of_variables(); ++variable)
       if(number_of_rows[variable] > 0)

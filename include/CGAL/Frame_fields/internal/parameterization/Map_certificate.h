@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Proves from the integers of a map alone that it is injective around every point of a patch and has the indices of the
-// field. Nothing is assumed of how the map was found.
+// Proves from the integers of a map alone that it is seamless, aligned and injective around every point of a patch, and
+// has the indices of the field. Nothing is assumed of how the map was found.
 class Map_certificate
 {
 public:
@@ -56,7 +56,7 @@ public:
   const std::vector<int>& inverted_faces() const { return m_inverted_faces; }
   const std::vector<int>& faces_of_faulty_edges() const { return m_faces_of_faulty_edges; }
 
-  // Sectors that do not turn as they should; if there are inverted faces, the sectors of these are among them.
+  // Sectors that do not turn as their indices say. This is reliable only where no face around a sector is inverted.
   const std::vector<int>& wrong_sectors() const { return m_wrong_sectors; }
 
   // Whether the map across a dual edge is the quarter turns of the edge and a translation.

@@ -34,7 +34,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// How many bits after the point leave room for the values of a map and its unknowns; negative if they are too large.
+// The number of bits after the point for which the values of a map and its unknowns stay below 2^50; negative if they
+// are too large or not finite.
 inline int fraction_bits_for(const std::vector<double>& z, const std::vector<double>& x)
 {
   double largest = (std::numeric_limits<double>::min)();
@@ -49,7 +50,7 @@ inline int fraction_bits_for(const std::vector<double>& z, const std::vector<dou
   return bits_of_values - 1 - std::ilogb(largest);
 }
 
-// Writes x = B z, computed in integers from z rounded to the grid.
+// Writes x = B z, computed in integers from z rounded to the grid. Returns `false` if a value is 2^50 or more.
 inline bool write_map(const Patch& patch, const Cut_graph& graph, const Map_basis& basis, const std::vector<double>& z,
                       const int fraction_bits, Seamless_map& map)
 {
@@ -69,8 +70,8 @@ inline bool write_map(const Patch& patch, const Cut_graph& graph, const Map_basi
   return true;
 }
 
-// The map of one patch, found by least squares and untangling. What still is at fault then becomes stiffer, and all
-// begins anew.
+// The map of one patch, found by least squares and untangling. If the certificate fails, the faces around the faults
+// become stiffer, and another attempt begins.
 class Patch_parameterization
 {
 public:
@@ -128,15 +129,15 @@ private:
   static constexpr int steps_of_first_attempt = 150, steps_of_attempt = 250, steps_of_factorization = 10;
   static constexpr int number_of_improving_steps = 10;
 
-  // Many faults, hardly fewer than after the first attempt: then more steps are of no use.
+  // Where many faults are left, more than half of those after the first attempt, further attempts are of no use.
   static bool is_hopeless(const int number_of_faults, const int first_number)
   {
     const int few_faults = 20;
     return number_of_faults > few_faults && 2 * number_of_faults > first_number;
   }
 
-  // The factorization of the quadratic energy is enough for most patches; the others need ones of what the barrier
-  // makes of it on the way.
+  // For most patches the factorization of the quadratic energy suffices to precondition all steps. The others need new
+  // factorizations on the way, with the stiffness that the barrier gives the faces.
   template <typename SolverTraits>
   bool solve_and_untangle(const SolverTraits& solver_traits, const bool keeps_factorization, std::vector<double>& z,
                           int& steps_left) const

@@ -49,7 +49,8 @@ public:
   void forget() { m_pairs.clear(); }
   bool has_memory() const { return !m_pairs.empty(); }
 
-  // Sets `direction` to one that goes downhill; returns whether the solver succeeded.
+  // Sets `direction` to the quasi-Newton direction, which goes downhill up to rounding errors. Returns whether the
+  // solver succeeded.
   bool find_direction(const std::vector<double>& gradient, std::vector<double>& direction)
   {
     std::vector<double> rest = gradient, factor(m_pairs.size());
@@ -70,7 +71,7 @@ public:
     return true;
   }
 
-  // Learns that the gradient changed by `change` over `step`.
+  // Learns that the gradient changed by `change` over `step`, unless the curvature there is not positive.
   void learn(std::vector<double>&& step, std::vector<double>&& change)
   {
     const double curvature = inner_product(step, change);

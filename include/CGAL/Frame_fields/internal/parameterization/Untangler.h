@@ -31,7 +31,7 @@ template <typename Solver>
 class Untangler
 {
 public:
-  // `solver` holds the factorization of a quadratic energy that is like the barrier's.
+  // `solver` holds the factorization of a matrix that approximates the Hessian of the barrier energy.
   Untangler(const Map_elements& elements, const Map_basis& basis, Solver& solver, std::vector<double>& z)
     : m_basis(basis), m_energy(elements), m_lbfgs(solver), m_z(z)
   {
@@ -92,14 +92,15 @@ private:
     m_basis.multiply_transposed(m_gradient_of_x, gradient);
   }
 
-  // The part of a step at which the parabola through both ends, with the slope at the beginning, is least.
+  // The fraction of a step at which the parabola through both ends with the slope at the beginning has its minimum,
+  // within 0.1 and 0.5.
   static double shortening(const double slope, const double gain)
   {
     const double minimum = -slope / (2 * (gain - slope));
-    return minimum > 0.1 ? (std::min)(minimum, 0.5) : 0.1; // not a number if the energy is not
+    return minimum > 0.1 ? (std::min)(minimum, 0.5) : 0.1; // also if the energy is not a number
   }
 
-  // One step downhill; returns whether the next one may go on from there.
+  // One step downhill. Returns `false` if no step lowers the energy, or if it gained too little for another one.
   bool step()
   {
     const double smallest_relative_gain = 1e-6;

@@ -32,7 +32,8 @@ struct Side_edge
   int sign;
 };
 
-// Looks for a side, from one corner to the next one, whose length or a part of it is 0 in all maps of a patch.
+// Looks for a side that has length 0 in all maps of a patch, or an edge of length 0. A side runs from one corner, a
+// constrained sector of index other than 0, to the next one, or once around a border without corners.
 class Zero_side_search
 {
 public:
@@ -74,7 +75,8 @@ private:
 
   bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
 
-  // Adds the edges from `first` to the end of its side, but those that were added before.
+  // Sums the edges from `first` to the end of its side that were not visited before. Returns whether the side or one of
+  // the edges has length 0 in all maps, and sets `ends` to the sectors at its ends then.
   template <typename LengthOf, typename IsZero>
   bool is_zero_side(const int first, const LengthOf& length_of, const IsZero& is_zero, std::array<int, 2>& ends)
   {

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Whether each sector has room for a quad.
+// Whether each sector has room for a quad, that is, turns by at least a quarter turn.
 inline bool has_room_for_quads(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index)
 {
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
@@ -52,6 +52,7 @@ Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch
   return parameterization.compute(solver_traits, map, fraction_bits);
 }
 
+// Computes the maps of all patches; `target_length` is per face, in the unit of `Cut_surface::length`.
 template <typename ConcurrencyTag, typename SolverTraits>
 void compute_seamless_map(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<double>& rho,
                           const std::vector<int>& matching, const std::vector<int>& index,

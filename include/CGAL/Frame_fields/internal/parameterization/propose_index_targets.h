@@ -72,8 +72,8 @@ inline Way_to_index nearest_index(const Cut_surface& surface, const Patch& patch
   return {};
 }
 
-// The sectors of a positive and a negative index of which one quarter each should go: those at the ends of the side
-// without length, or else the nearest pair with one of them. -1 if there are none.
+// The sectors of a positive and of a negative index that should each come nearer to 0 by a quarter: those at the ends
+// of the side of length 0, or else the nearest pair with one of these. -1 if there are none.
 inline std::array<int, 2> pair_at_side(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index,
                                        const std::array<int, 2>& ends)
 {
@@ -100,9 +100,9 @@ inline std::array<int, 2> pair_at_side(const Cut_surface& surface, const Patch& 
 }
 
 // Where the indices of a patch leave no length to a side, as around a ring with a step, or where they are those of a
-// torus with one pair, there is no map. Then this gives all sectors of the patch the indices that they have, but
-// cancels a pair of a positive and a negative one. The caller computes the field of the patch anew with these as
-// targets. Returns whether there is such a pair.
+// torus with one pair, there is no map. Then this sets the targets of all sectors of the patch to their indices, but
+// lowers a positive one and raises a negative one by a quarter. The caller computes the field of the patch anew with
+// these targets. Returns whether there is such a pair.
 inline bool propose_index_targets(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
                                   const std::vector<double>& rho, const std::vector<int>& matching,
                                   const std::vector<int>& index, std::vector<int>& index_target)

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The quarter turns that a regular map makes around a sector: four times the quads that meet there, less their angles.
+// The number of quarter turns that an injective map makes around a sector: as many as quads meet there. `index` is 4 I.
 inline int quarter_turns_of_sector(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
   return (surface.is_constrained_sector(sector) ? 2 : 4) - index[sector];

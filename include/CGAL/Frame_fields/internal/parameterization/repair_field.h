@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The leaning frames of a field: branch 0 is at `alpha`, branch 1 at a right angle and `rho` from there.
+// The frames of a relaxed field: branch 0 is at the angle `alpha`, branch 1 at `alpha` + pi/2 + `rho`, in radians.
 struct Leaning_frames
 {
   std::vector<double> alpha, rho; // per face
@@ -63,7 +63,7 @@ public:
     , m_field(field), m_map(map)
   {}
 
-  // Per patch: how many pairs of indices it lost. One whose indices the caller wants keeps them.
+  // Returns per patch how many pairs of indices it lost. A patch with index targets of the caller keeps its indices.
   std::vector<int> run()
   {
     std::vector<int> result(m_surface.patches.size(), 0);
@@ -158,7 +158,8 @@ private:
   Seamless_map& m_map;
 };
 
-// The maps of all patches, and how many pairs of indices each patch lost for them.
+// Computes the maps of all patches, and repairs the field where `options.repair_matching` is set. Returns per patch how
+// many pairs of indices it lost.
 template <typename ConcurrencyTag, typename SolverTraits>
 std::vector<int> compute_seamless_map_and_repair_field(const Cut_surface& surface, const Options& options,
                                                        const std::vector<double>& target_length,

@@ -44,7 +44,7 @@ namespace internal {
 
 // Between seamless maps in flat arrays and the caller's property maps and named parameters.
 
-// Reads the index of each sector, which must be that of the field.
+// Reads the index of each sector, and checks that it is that of the matching.
 template <typename CutMesh, typename AlphaMap, typename SkewnessMap, typename IndexMap>
 Result read_indices(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                     const std::vector<int>& matching, const IndexMap index_map, std::vector<int>& index)

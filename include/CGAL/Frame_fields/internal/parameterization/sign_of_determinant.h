@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A signed number of 128 bits, high * 2^64 + low. Not all compilers have one.
+// A signed integer of 128 bits, high * 2^64 + low, since not all compilers have such a type.
 struct Wide_integer
 {
   std::int64_t high;
@@ -53,7 +53,7 @@ inline Wide_integer wide_product(const std::int64_t a, const std::int64_t b)
   return (a < 0) != (b < 0) ? -product : product;
 }
 
-// a d - b c of integers below 2^62.
+// a d - b c of integers of absolute value below 2^62.
 inline Wide_integer wide_determinant(const std::int64_t a, const std::int64_t b, const std::int64_t c,
                                      const std::int64_t d)
 {
@@ -68,7 +68,7 @@ inline int sign_of_determinant(const std::int64_t a, const std::int64_t b, const
   return determinant.high > 0 || determinant.low > 0 ? 1 : 0;
 }
 
-// The value up to its last bits, without cancellation.
+// The value to within rounding; `a` must be above -2^127.
 inline double to_double(const Wide_integer& a)
 {
   if(a.high < 0)
