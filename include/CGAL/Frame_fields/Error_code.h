@@ -38,7 +38,7 @@ enum Error_code
   ERROR_NON_FINITE_COORDINATE,       ///< A coordinate is infinite or not a number
   ERROR_ZERO_LENGTH_EDGE,            ///< The two ends of an edge have the same coordinates
   ERROR_OVERCONSTRAINED_FACE,        ///< A face has more than one constrained edge
-  ERROR_WRONG_PARAMETER,             ///< A named parameter is out of its range
+  ERROR_WRONG_PARAMETER,             ///< A parameter is out of its range, most often a named one
   ERROR_WRONG_FIELD,                 ///< A map read as input does not hold what it must
   ERROR_POINCARE_HOPF,               ///< The index targets of a patch do not sum to its Euler characteristic
   ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to

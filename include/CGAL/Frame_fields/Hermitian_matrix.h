@@ -22,8 +22,8 @@ namespace Frame_fields {
 /// \ingroup PkgFrame_fieldsSolver
 ///
 /// holds the lower triangle of a sparse hermitian matrix (symmetric, for real scalars) in compressed columns: the
-/// entries of column `j` have the numbers `column_begin[j]` to `column_begin[j + 1] - 1`, the diagonal one first, in
-/// increasing order of their rows.
+/// entries of column `j` have the numbers `column_begin[j]` to `column_begin[j + 1] - 1`, in increasing order of their
+/// rows, so that the diagonal entry is the first. Each column has a diagonal entry, and it is real.
 ///
 /// \tparam Scalar_ `double` or `std::complex<double>`
 template <typename Scalar_>

@@ -44,7 +44,7 @@ public:
   /// keeps a copy of `traits`.
   explicit Linear_algebra_real_solver(const LinearAlgebraTraits& traits = LinearAlgebraTraits()) : m_traits(traits) {}
 
-  /// factors `matrix`; returns what `LinearAlgebraTraits::factor()` returns.
+  /// factors `matrix`, which may be deleted afterwards; returns what `LinearAlgebraTraits::factor()` returns.
   bool factor(const Hermitian_matrix<double>& matrix)
   {
     const int size = matrix.size();

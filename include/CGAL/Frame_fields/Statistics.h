@@ -33,7 +33,7 @@ enum class Stage
 
 /// \ingroup PkgFrame_fieldsRef
 ///
-/// is the default visitor of `cad_frame_field()`; it does nothing.
+/// is the default visitor of `cad_frame_field()`; it does nothing. A visitor class need not derive from it.
 ///
 /// \cgalModels{FrameFieldVisitor}
 struct Default_frame_field_visitor

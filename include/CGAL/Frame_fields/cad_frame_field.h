@@ -86,12 +86,12 @@ It does in one call, on one cut surface, what `prescribe_rotation()`, `orthogona
                     \f$ 1/2 - k/4 \f$. Under \f$ 3 \pi / 4 \f$ this is always one quadrangle and index \f$ 1/4 \f$.}
   \cgalParamNEnd
   \cgalParamNBegin{blunt_corner_bound}
-    \cgalParamDescription{the difference from \f$ \pi \f$ above which the angle of a sector that shall hold two
-                          quadrangles or more makes it a blunt corner, in radians}
+    \cgalParamDescription{a sector on constrained edges that is meant to hold two quadrangles or more is a blunt corner
+                          if its angle differs from \f$ \pi \f$ by more than this, in radians}
     \cgalParamType{`double`, not negative, or infinity}
     \cgalParamDefault{\f$ \pi / 8 \f$}
-    \cgalParamExtra{Rotation is prescribed at blunt corners as at sharp ones, unless the patch would have no other
-                    sector. With infinity there are none, as in the paper.}
+    \cgalParamExtra{Rotation is prescribed at blunt corners as at sharp ones, unless all sectors of the patch would
+                    be such corners. With infinity there are no blunt corners, as in the paper.}
   \cgalParamNEnd
   \cgalParamNBegin{support_strategy}
     \cgalParamDescription{tells where the rotation prescribed at sharp corners is compensated}

@@ -131,7 +131,8 @@ vertices are on them.
     \cgalParamExtra{Numbers go before the wanted lengths and the bends of curves. Where they contradict one another
                     across a patch, or would cost a patch its certified map, those are given up that are farthest from
                     what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
-                    `Quad_statistics::number_of_unmet_edge_numbers`.}
+                    `Quad_statistics::number_of_unmet_edge_numbers`. No number may be negative, and on a closed curve
+                    without a node it must be 0 or at least 3.}
   \cgalParamNEnd
   \cgalParamNBegin{refine_long_triangles}
     \cgalParamDescription{whether triangles are refined in the copy where edges are longer than two edges of quads, as

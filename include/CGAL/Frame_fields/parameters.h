@@ -28,8 +28,9 @@ namespace internal {
 
 } // namespace internal
 
-// A pack of CGAL with members that add the parameters of this package, and those of CGAL that this package reads, so
-// that both kinds chain in any order. Every function of this package deduces the CGAL base class.
+// A sequence of named parameters of CGAL with members that add the parameters of this package, and those of CGAL that
+// this package reads, so that both kinds chain in any order. Every function of this package deduces the base class of
+// CGAL.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters
   : CGAL::Named_function_parameters<T, Tag, Base>

@@ -111,8 +111,9 @@ Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL:
   statistics.number_of_split_faces = internal::split_faces_of(tm, mesh);
   statistics.number_of_splits = internal::split_chords_of(tm, mesh);
 
-  // One round is enough unless a patch has fewer edges than it needs vertices, or a new rounding error changes what is
-  // natural. Each round doubles the edges of a patch at least, and no patch needs more than a few for each sector.
+  // One round is enough unless a patch has fewer edges than it needs vertices, or a new rounding error changes a
+  // natural index. A round that splits all edges of a patch at least doubles them, and no patch needs more than a few
+  // for each sector.
   const int maximum_number_of_rounds = 32;
   for(int round = 0; round < maximum_number_of_rounds; ++round)
   {

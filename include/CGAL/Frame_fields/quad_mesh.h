@@ -125,7 +125,8 @@ unless `repair_matching` is `false`.
     \cgalParamExtra{Numbers go before the wanted lengths and the bends of curves. Where they contradict one another
                     across a patch, or would cost a patch its certified map, those are given up that are farthest from
                     what the lengths ask for; at a filled patch odd ones are, too. `statistics` tells how many in
-                    `Quad_statistics::number_of_unmet_edge_numbers`.}
+                    `Quad_statistics::number_of_unmet_edge_numbers`. No number may be negative, and on a closed curve
+                    without a node it must be 0 or at least 3.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
@@ -187,7 +188,7 @@ unless `repair_matching` is `false`.
     \cgalParamType{`std::reference_wrapper<Quad_statistics>`, that is `std::ref(s)` for an object `s` of type
                    `Quad_statistics`}
     \cgalParamDefault{they are not computed}
-    \cgalParamExtra{Set on success only; the member `field` stays as it is by default.}
+    \cgalParamExtra{Set on success only; the member `field` gets its default values.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The sectors of index 1/4 and -1/4 if a patch is a torus and all its others are regular; otherwise -1. There is no
-// quadrangulation of a torus with exactly these irregular vertices, and no seamless map. (Izmestiev et al., There is no
-// triangulation of the torus with vertex degrees 5, 6, ..., 6, 7 and related results.)
+// The sectors of index 1/4 and -1/4, in this order, if a patch is a torus whose other sectors are all regular;
+// otherwise -1. There is no quadrangulation of a torus with exactly these irregular vertices, and no seamless map.
+// (Izmestiev et al., There is no triangulation of the torus with vertex degrees 5, 6, ..., 6, 7 and related results.)
 inline std::array<int, 2> one_pair_on_torus(const Cut_surface& surface, const Patch& patch,
                                             const std::vector<int>& index)
 {
