@@ -44,7 +44,7 @@ It does what `split_overconstrained_faces()` and `split_chords()` do, and then s
 each patch that still lacks vertices inside at their midpoints, with their triangles. The surface does not change. A
 mesh that needs nothing stays as it is.
 
-\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
@@ -88,7 +88,8 @@ mesh that needs nothing stays as it is.
 
 \exception std::bad_alloc if memory is exhausted
 
-\cgalBigO{n} for \f$ n \f$ faces; patches that lack vertices sort their edges.
+\cgalBigO{n} for \f$ n \f$ faces if the degrees of the vertices are bounded, see `split_chords()`; patches that lack
+vertices sort their edges.
 
 \sa `cad_frame_field()`
 \sa `split_overconstrained_faces()`

@@ -31,7 +31,7 @@ namespace Frame_fields {
 
 measures a quad mesh, so that quad meshes can be compared.
 
-\tparam QuadMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam QuadMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param qm the mesh; its faces need not all be quads

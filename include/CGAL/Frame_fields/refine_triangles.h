@@ -53,7 +53,8 @@ This gives fields and maps triangles to work with. The steps are:
   edge. Those that cannot be flipped count as 1.4 times as long. Both parts of a constrained edge are constrained.
 - Edges are flipped again as in the first step.
 
-The last two steps are repeated for shorter and shorter edges, until none is longer than the bound.
+The last two steps are repeated for shorter and shorter edges, until none is longer than the bound. Only an edge whose
+midpoint is rounded to one of its ends stays longer. No pass makes more than eight flips for each edge given to it.
 
 Repeated bisection leaves at least a half of the smallest angle of a triangle, and a flip does not make the smallest
 angle of the two triangles smaller. In planes angles usually become much larger. Triangles that are narrow between
@@ -63,12 +64,12 @@ All vertices stay where they are, and new ones lie on old triangles as far as th
 A flip exchanges the diagonals of two triangles if the distance of these diagonals, the most by which the surface moves,
 is not above `flip_tolerance`; where flips follow one another, what they move adds up.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
-\param maximum_edge_length the bound for the lengths of edges, positive; 4/3 of the edge length of the quadrangles to
-       come is a good choice
+\param maximum_edge_length the bound for the lengths of edges, positive, or infinity for flips alone; 4/3 of the edge
+       length of the quadrangles to come is a good choice
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

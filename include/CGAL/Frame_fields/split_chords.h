@@ -35,7 +35,7 @@ take the singularities that the sharp corners give up.
 
 The surface does not change.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tm the mesh
@@ -76,7 +76,8 @@ The surface does not change.
 
 \exception std::bad_alloc if memory is exhausted; a \c %Surface_mesh is unchanged then
 
-\cgalBigO{n} for \f$ n \f$ faces.
+\cgalBigO{n} for \f$ n \f$ faces if the degrees of the vertices are bounded: the edges around both ends of each edge
+are visited.
 
 \sa `prepare_for_frame_field()`
 \sa `split_overconstrained_faces()`
