@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The frame with branches at two angles, the second one taken from 0 to pi further.
+// The angle of the first branch and the skewness, both in radians.
 struct Frame
 {
   double alpha, rho;
@@ -34,7 +34,8 @@ struct Frame
   }
 };
 
-// Turns the branch nearest to a line onto it and keeps the other one. Returns by how much.
+// Turns the branch that is nearest to a line, at the angle `line` in radians, onto it and keeps the other branch.
+// Returns the absolute value of the turn, at most pi / 2.
 inline double align(Frame& frame, const double line)
 {
   const double turn_of_first = std::remainder(line - frame.alpha, CGAL_PI);
@@ -49,7 +50,7 @@ inline double align(Frame& frame, const double line)
   return std::abs(turn_of_second);
 }
 
-// The integer p_ij with which the two branches turn the least, in the sense of squares.
+// The integer p_ij for which r0^2 + r1^2 (eq. (4) of the paper) is least. The cost is half of that sum.
 inline int nearest_matching(const double unmatched_rotation, const double rho_i, const double rho_j)
 {
   const auto cost = [&](const int p)
