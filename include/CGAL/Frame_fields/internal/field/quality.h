@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// r0 or r1 of eq. (4) of the paper.
+// r0 or r1 of eq. (4) of the paper, in radians; `b` is 0 or 1.
 inline double branch_rotation(const Cut_surface& surface, const std::vector<double>& alpha,
                               const std::vector<double>& rho, const std::vector<int>& matching, const int dual_edge,
                               const int b)
@@ -54,7 +54,8 @@ inline std::vector<std::array<double, 2> > rotations_of_branches(const Cut_surfa
   return result;
 }
 
-// The difference that a pair of matched branches has along the edge they meet at: cos of their angles to it.
+// The difference between the components of two matched branches along the edge between their faces. `rotation` is that
+// of branch `b` across the edge, in radians.
 inline double curl_of_branch(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<double>& rho, const int dual_edge, const int b, const double rotation)
 {

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The size of the quads among the named parameters: one of both, or neither.
+// The size of the quads among the named parameters, given by one of two numbers or by neither.
 struct Quad_size
 {
   double target_edge_length; // 0 if it is not given
@@ -56,7 +56,8 @@ Result check_quad_size(const NamedParameters&, const Quad_size& size)
   return {};
 }
 
-// In the unit of `Cut_surface::length`; by default the mean length of the edges.
+// The target edge length in the unit of `Cut_surface::length`, which must be there. It takes precedence over the number
+// of quads; the default is the mean length of the halfedges, in which edges that are not on the border count twice.
 inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
 {
   if(size.target_edge_length > 0)
@@ -69,7 +70,7 @@ inline double target_edge_length_of(const Quad_size& size, const Cut_surface& su
   return sum / static_cast<double>(surface.length.size());
 }
 
-// The lengths that edges should have, a length for all times a factor for each vertex.
+// The lengths that edges should have: one length for all, divided by a density for each vertex.
 struct Target_sizes
 {
   double edge_length = 0;      // in the unit of `Cut_surface::length`
@@ -81,7 +82,7 @@ inline double density_at(const Surface_embedding& embedding, const std::vector<d
   return density.empty() ? 1 : density[embedding.vertex[halfedge]];
 }
 
-// The density of a face, that is linear between its vertices, on average.
+// The mean over a face of the density, which is linear between its vertices.
 inline double mean_density(const Surface_embedding& embedding, const std::vector<double>& density, const int face)
 {
   double sum = 0;
@@ -100,7 +101,8 @@ inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, cons
   return result;
 }
 
-// How many quads of the wanted size cover some faces, over how many cover as large an area at the density 1.
+// The mean of the squared density over some faces, weighted by area: the number of quads of the wanted size that cover
+// them, divided by the number at the density 1. Without area it is that of the first face; `faces` must not be empty.
 inline double mean_squared_density(const Cut_surface& surface, const Surface_embedding& embedding,
                                    const std::vector<double>& density, const Index_range& faces)
 {

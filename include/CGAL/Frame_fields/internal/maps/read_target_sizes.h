@@ -48,8 +48,9 @@ Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embeddi
   return {};
 }
 
-// Reads the lengths wanted at the vertices. Their unit becomes the length that as many quads would have if all were of
-// the same size, or the one that follows from the number of quads.
+// Reads the lengths wanted at the vertices, in the unit of the mesh; they must be positive and finite. The common edge
+// length becomes the one that as many quads would have if all were of the same size or, if the number of quads is
+// given, the one that follows from it: then only the ratios of the lengths count.
 template <typename CutMesh, typename SizingMap>
 Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, const SizingMap sizing,
                   const Quad_size& size, Target_sizes& sizes)

@@ -48,7 +48,7 @@ inline Streamline_head head_at(const Streamline_seed& seed)
   return { Streamline_head::INSIDE, -1, seed.face, seed.branch, seed.weights };
 }
 
-// Far more than rounding errors, far less than what is seen.
+// A part of the spacing that is far more than rounding errors and far less than the eye can see.
 constexpr double relative_streamline_tolerance = 1e-6;
 
 inline Streamline_piece reversed(const Streamline_piece& piece)

@@ -39,7 +39,7 @@ Coordinates point_in_face(const Cut_mesh<TriangleMesh>& cut_mesh, const int face
   return result;
 }
 
-// The label that most of the line has.
+// The label of the branch pairs (0 or 1) that the larger part of the length of the line has.
 inline int branch_pair(const Branch_directions& directions, const Traced_streamline& traced)
 {
   double excess_of_ones = 0;
