@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The angle of the first branch and the skewness, both in radians.
+// A frame: the angle of its branch 0, and the skewness by which the angle to its branch 1 differs from a right one,
+// both in radians. `from_angles()` takes the second angle modulo pi: the skewness is in [-pi / 2, pi / 2].
 struct Frame
 {
   double alpha, rho;

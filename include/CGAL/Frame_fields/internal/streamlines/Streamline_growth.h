@@ -112,8 +112,8 @@ private:
     return true;
   }
 
-  // Where in a piece samples are needed: everywhere except in its free interval, and there in the intervals in which
-  // another line may be near.
+  // Where in a piece samples are needed: outside its free interval, and within it in the intervals in which a line may
+  // be near.
   struct Piece_to_sample
   {
     Length_interval free{ 1, 0 };

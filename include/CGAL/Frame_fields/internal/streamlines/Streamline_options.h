@@ -37,7 +37,8 @@ struct Streamline_options
 };
 
 // Checks the parameters and sets the options from them. `spacing` and `maximum_length` are in the unit of the mesh,
-// `separation` is a part of the spacing. The default spacing is a 50th of the square root of the area.
+// `separation` is a part of the spacing. The default spacing is a 50th of the square root of the area, but at least a
+// thousandth of the longest edge.
 inline Result set_streamline_options(const Face_charts& charts, const std::optional<double>& spacing,
                                      const double separation,
                                      const double maximum_length, Streamline_options& options)
