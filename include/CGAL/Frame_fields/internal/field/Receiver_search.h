@@ -95,6 +95,7 @@ inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const 
   return receivers;
 }
 
+// All these sectors as receivers, each with the same part.
 inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
 {
   std::vector<Receiver> result;

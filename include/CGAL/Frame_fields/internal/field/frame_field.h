@@ -80,6 +80,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
                                field.number_of_clamped_faces);
 }
 
+// The sharp corners of all patches, one patch after the other; `bound` is in radians.
 inline std::vector<int> sharp_corners_of_surface(const Cut_surface& surface, const double bound)
 {
   std::vector<int> result;

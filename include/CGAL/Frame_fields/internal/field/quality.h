@@ -76,6 +76,7 @@ inline double misalignment(const Cut_surface& surface, const std::vector<double>
   return (std::min)(distance_of_branch(0), distance_of_branch(1));
 }
 
+// Measures a field; `rotations` are r0 and r1 of its dual edges. Takes time linear in the size of the surface.
 inline Field_quality measure_quality(const Cut_surface& surface, const std::vector<double>& alpha,
                                      const std::vector<double>& rho,
                                      const std::vector<std::array<double, 2> >& rotations)

@@ -25,6 +25,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Divides each value by its norm; values that are 0 stay.
 inline void bring_to_unit_length(std::vector<std::complex<double> >& z)
 {
   for(std::complex<double>& z_i : z)

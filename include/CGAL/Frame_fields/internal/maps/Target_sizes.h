@@ -35,6 +35,7 @@ struct Quad_size
   double number_of_quads;    // 0 if it is not given
 };
 
+// The size as it is given, in the unit of the mesh; `check_quad_size()` tells whether it is in range.
 template <typename NamedParameters>
 Quad_size quad_size_from(const NamedParameters& np)
 {
@@ -44,6 +45,7 @@ Quad_size quad_size_from(const NamedParameters& np)
            static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
 }
 
+// Fails with `ERROR_WRONG_PARAMETER` if a number that is given is out of range.
 template <typename NamedParameters>
 Result check_quad_size(const NamedParameters&, const Quad_size& size)
 {
@@ -77,6 +79,7 @@ struct Target_sizes
   std::vector<double> density; // per vertex: `edge_length` over the length wanted there; empty if it is 1
 };
 
+// The density at the target of a halfedge.
 inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
 {
   return density.empty() ? 1 : density[embedding.vertex[halfedge]];
@@ -91,6 +94,8 @@ inline double mean_density(const Surface_embedding& embedding, const std::vector
   return sum / 3;
 }
 
+// The length that edges should have per face, in the unit of `Cut_surface::length`. The embedding is used only if there
+// are densities.
 inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, const Surface_embedding& embedding,
                                                 const Target_sizes& sizes)
 {

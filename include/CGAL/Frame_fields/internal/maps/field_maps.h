@@ -53,6 +53,7 @@ Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
   }
 }
 
+// Writes a value per face.
 template <typename CutMesh, typename FaceMap, typename Value>
 void write_on_faces(const CutMesh& cut_mesh, const std::vector<Value>& values, const FaceMap map)
 {
@@ -148,6 +149,8 @@ inline std::string beyond_largest_angle()
   return " is not finite or beyond +-" + std::to_string(static_cast<int>(largest_angle_read)) + " radians in ";
 }
 
+// Reads an angle in radians per face. `values` must be empty before. Fails with `ERROR_WRONG_FIELD` if one is not
+// finite or too large; `name` tells in the message what was read.
 template <typename CutMesh, typename FaceMap>
 Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
 {

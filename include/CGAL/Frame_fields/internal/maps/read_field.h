@@ -49,6 +49,8 @@ Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& 
   return {};
 }
 
+// Reads the matching if the caller gives one. Otherwise computes it for `alpha` as the pipeline does, with the
+// prescribed rotation that the caller gives, the index targets of the surface and the repair that the options ask for.
 template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>
 Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const Options& options,
                                 const std::vector<double>& alpha, std::vector<int>& matching)
@@ -66,6 +68,7 @@ Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& 
     cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
 }
 
+// Reads rho, in radians per face; it is 0 if it is not given.
 template <typename CutMesh, typename FaceMap>
 Result read_skewness(const CutMesh& cut_mesh, const FaceMap skewness_map, std::vector<double>& rho)
 {

@@ -39,6 +39,8 @@ inline std::vector<int> halfedges_of_vertices(const Surface_embedding& embedding
   return result;
 }
 
+// Calls `visit(v, number)` for the vertices of an embedding, with their descriptors and their numbers in it, until a
+// call fails. Returns the failure, or success.
 template <typename CutMesh, typename Visit>
 Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embedding, const Visit& visit)
 {

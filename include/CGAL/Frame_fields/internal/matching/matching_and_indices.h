@@ -50,6 +50,7 @@ inline void match_patch(const Cut_surface& surface, const Patch& patch, const st
     matching[e] = static_cast<int>(std::lround((omega[e] - unmatched_rotation(surface, alpha, e)) / (CGAL_PI / 2)));
 }
 
+// Whether each r_ij differs from omega_ij by at most an eighth of a turn, up to rounding errors.
 inline bool is_nearest_matching(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
                                 const std::vector<double>& alpha, const std::vector<int>& matching)
 {

@@ -200,6 +200,7 @@ inline long long quarters_to_move(const Cut_surface& surface, const Patch& patch
   return sum;
 }
 
+// Whether any sector of the patch is unmeshable.
 inline bool has_unmeshable_sector(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index)
 {
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
