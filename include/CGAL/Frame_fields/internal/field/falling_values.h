@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A value of level k stands for its product with the k-th power of this.
+// A value of level k stands for the value times the k-th power of this unit.
 constexpr double level_unit = 1e-250;
 
 // A falling field does not fall more than by this factor from one face to the next. If the norms of two neighbors

@@ -120,8 +120,8 @@ public:
   }
 
   // Turns the frames of a field to those of least energy, and sets this energy. Returns whether the matching is still
-  // nearest to omega then. If not, or if the solver fails, `alpha` and the energy may have changed or not: the caller
-  // restores them.
+  // nearest to omega then. If not, or if the solver fails, `alpha` and the energy may be changed: the caller must
+  // restore them.
   bool smooth(const std::vector<int>& matching, std::vector<double>& alpha, double& smoothed_energy)
   {
     if(!m_is_factored)

@@ -65,7 +65,8 @@ inline double curl_of_branch(const Cut_surface& surface, const std::vector<doubl
   return std::cos(angle_i) - std::cos(angle_i + rotation);
 }
 
-// The angle in [0, pi/2] between the constrained edge of an aligned face and the nearer branch pair, in radians.
+// The angle in [0, pi / 2], in radians, between the direction that an aligned face must keep and the nearer branch
+// pair.
 inline double misalignment(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<double>& rho,
                            const int face)
 {

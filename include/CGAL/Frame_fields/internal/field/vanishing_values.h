@@ -32,7 +32,8 @@ typedef std::complex<double> Complex;
 // rounding errors of solvers, direct or iterative, are smaller still.
 constexpr double largest_vanishing_ratio = 1e-6;
 
-// States that z[to] = factor * z[from] for a field without rotation between them.
+// Says that the values of two neighboring faces fulfil z(to) = factor * z(from) if the field does not rotate in
+// between.
 struct Vanishing_value_link
 {
   int from, to;

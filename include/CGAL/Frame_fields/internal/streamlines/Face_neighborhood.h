@@ -31,7 +31,7 @@ struct Chart_point
   Plane_vector place;
 };
 
-// Visits the faces of a patch around a point in breadth-first order, but none across a constrained edge. Each face is
+// Visits the faces of a patch around a point in breadth-first order without crossing constrained edges. Each face is
 // laid into the plane next to the one from which it is reached; the matching carries the branch along.
 class Face_neighborhood
 {
