@@ -138,7 +138,7 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
   return result;
 }
 
-// Sets gamma, in radians per face and branch (Section 3.4 of the paper), and counts the faces whose skewness was
+// Sets gamma, in radians per face and branch (Section 4 of the paper), and counts the faces whose skewness was
 // clamped.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,
