@@ -35,8 +35,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Whether a patch is a ring between two closed curves without corners, and nothing else guides its field: it can do
-// without singularities, too.
+// Whether a patch is a ring between two closed curves without corners, and no face has a guiding weight. The field of
+// such a patch needs no singularities. Faces aligned by an infinite guiding weight are not looked for: they stay
+// aligned.
 inline bool is_ring_without_corners(const Cut_surface& surface, const Patch& patch)
 {
   if(euler_characteristic(patch) != 0)
@@ -54,7 +55,8 @@ inline bool is_ring_without_corners(const Cut_surface& surface, const Patch& pat
                                        [](const double weight) { return weight == 0; }));
 }
 
-// Whether `Field_without_corners` can improve the field of a patch: one that asks for no direction, or a ring.
+// Whether `Field_without_corners` can improve the field of a patch: it has no index targets, and no face asks for a
+// direction or it is a ring without corners.
 inline bool is_patch_without_corners(const Cut_surface& surface, const Patch& patch)
 {
   return !has_index_targets(surface, patch)
@@ -68,10 +70,10 @@ struct Arrays_without_corners
   std::vector<int> matching, index;
 };
 
-// Lowers sum w (r - omega)^2 of the field of a patch without corners, in steps that no flow of the field takes.
-// Singularities of opposite signs cancel where that pays. Along a handle a field turns by some multiple of a quarter
-// turn; the least rotation that gives all sectors their indices shows by which. A surface of one handle and a ring may
-// do without singularities at all. The field of a ring that has none is left as it is.
+// Lowers sum w (r - omega)^2 of the field of a patch without corners by discrete changes, which no continuous flow of
+// the field makes. Singularities of opposite signs are cancelled where that pays. Along a handle the field turns by
+// some multiple of a quarter turn; the least rotation that gives all sectors their indices tells by which. The field of
+// a torus or of a ring may need no singularities at all. The field of a ring that has none is left as it is.
 template <typename SolverTraits>
 class Field_without_corners
 {
@@ -155,11 +157,11 @@ private:
                        m_omega.begin() + m_patch.dual_edges.end_index, [](const double omega) { return omega != 0; });
   }
 
-  // What a field of a closed patch without singularities may cost more for each index of 1/4 that is gone: a quarter
-  // turn over two edges, the fewest that it can be spread over, since a nearest matching leaves an eighth of a turn
-  // across an edge at most. Coarse faces and faces much longer than wide would keep pairs otherwise, which flatten the
-  // field around them. Nothing if a rotation is prescribed, which may ask for singularities, and on a ring, whose
-  // borders hold the field.
+  // Tries a field without singularities. In a closed patch its energy may be higher by a price for each index of 1/4
+  // that vanishes. The price is the energy of a quarter turn over two edges. These are the fewest that it can be spread
+  // over, since a nearest matching leaves at most an eighth of a turn across an edge. Without the price, coarse or very
+  // long faces would keep pairs of singularities, which flatten the field around them. There is no price if a rotation
+  // is prescribed, which may ask for singularities, nor on a ring, whose borders hold the field.
   void try_without_singularities(Smoother& smoother)
   {
     const bool has_price = !has_prescribed_rotation() && !asks_for_direction(m_surface, m_patch);
@@ -168,7 +170,8 @@ private:
                 m_energy + price_of_index * m_field.sum_of_absolute_indices());
   }
 
-  // Takes the field with these indices and the least rotation if its energy is below the bound.
+  // Computes the field with these indices (4 I per sector of the patch), smooths it, and keeps it if its energy is
+  // below the bound. Otherwise the field is left as it was.
   void try_indices(const std::vector<int>& index, Smoother& smoother, const double bound)
   {
     const Matched_field::State old_state = m_field.state();
@@ -179,7 +182,8 @@ private:
       m_field.restore(old_state);
   }
 
-  // With such a rotation prescribed, only the turns along the handles, or across the ring, are left to be found.
+  // Sets the smoothest field with respect to the least rotation that gives the sectors these indices. The rotation
+  // fixes all but the turns along the handles, or across the ring. Returns whether the field has the indices.
   bool has_field_with(const std::vector<int>& index)
   {
     for(int s = m_patch.sectors.begin_index; s < m_patch.sectors.end_index; ++s)

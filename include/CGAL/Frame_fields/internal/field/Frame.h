@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The frame with branches at two angles, the second one taken from 0 to pi further.
+// A frame: the angle of its branch 0, and the skewness by which the angle to its branch 1 differs from a right one,
+// both in radians. `from_angles()` takes the second angle modulo pi: the skewness is in [-pi / 2, pi / 2].
 struct Frame
 {
   double alpha, rho;
@@ -34,7 +35,8 @@ struct Frame
   }
 };
 
-// Turns the branch nearest to a line onto it and keeps the other one. Returns by how much.
+// Turns the branch that is nearest to a line, at the angle `line` in radians, onto it and keeps the other branch.
+// Returns the absolute value of the turn, at most pi / 2.
 inline double align(Frame& frame, const double line)
 {
   const double turn_of_first = std::remainder(line - frame.alpha, CGAL_PI);
@@ -49,7 +51,7 @@ inline double align(Frame& frame, const double line)
   return std::abs(turn_of_second);
 }
 
-// The integer p_ij with which the two branches turn the least, in the sense of squares.
+// The integer p_ij for which r0^2 + r1^2 (eq. (4) of the paper) is least. The cost is half of that sum.
 inline int nearest_matching(const double unmatched_rotation, const double rho_i, const double rho_j)
 {
   const auto cost = [&](const int p)

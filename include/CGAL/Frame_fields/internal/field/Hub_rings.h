@@ -26,10 +26,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Takes rotation in equal parts from the rings around sharp corners where these hold hubs, sectors of very many corners
-// like the middle of a fan. Thousands of corners may have thousands of receivers each, nearly all of them the same:
-// what lies around the hubs. These are collected once for all corners that are equally far from the hubs, and give what
-// such corners take together; only the few others are visited corner by corner.
+// Takes rotation in equal parts from the rings around prescribed corners if the rings hold *hubs*: sectors of very many
+// face corners, like the middle of a fan. Thousands of prescribed corners may then have thousands of receivers each,
+// nearly all of them the same ones around the hubs. These shared receivers are collected once for all prescribed
+// corners that are equally far from the hubs, and give at the end what these corners take together. Only the few other
+// receivers are visited corner by corner. Each new combination of distances from the hubs takes a pass over the patch.
 class Hub_rings
 {
 public:
@@ -56,7 +57,8 @@ public:
       m_last_visit.assign(patch.sectors.size(), -1);
   }
 
-  // Takes `rotation` from the receivers of a corner. Does nothing and returns false if no hub is in its rings.
+  // Takes `rotation`, in radians, from the receivers of a corner. Returns false and leaves `demand` as it is if there
+  // is no hub in the rings of the corner, or no receiver. `take_from_shared_receivers()` completes the demand.
   bool take(const int corner, const double rotation, std::vector<double>& demand)
   {
     if(m_ring_around_hub.empty())
@@ -81,7 +83,7 @@ public:
     return true;
   }
 
-  // To be called once, after all corners.
+  // Takes from the shared receivers what all corners asked them for. To be called once, after all corners.
   void take_from_shared_receivers(std::vector<double>& demand) const
   {
     for(const auto& shared : m_shared)
@@ -90,7 +92,8 @@ public:
   }
 
 private:
-  // Without hubs of this size the rings of a corner are small; more of them than this would not be worth their rings.
+  // A hub has more face corners than this; where all sectors have fewer, rings are small. Of the hubs only the largest
+  // ones are used, since each keeps a number for every sector of the patch.
   static constexpr int smallest_hub = 64;
   static constexpr std::size_t largest_number_of_hubs = 8;
 
@@ -137,7 +140,9 @@ private:
     return false;
   }
 
-  // The sectors in the rings of a corner, but for those to which a hub is on the way: they are in the rings around it.
+  // The sectors in the rings of a corner that no shortest path through a hub reaches; the others are in the rings
+  // around that hub. Sets in `reach` how many rings around each hub are within the rings of the corner; it must be -1
+  // before.
   std::vector<int> visit_without_hubs(const int corner, std::vector<int>& reach)
   {
     ++m_visit;
@@ -167,7 +172,7 @@ private:
     return all;
   }
 
-  // Whether a sector in ring k of a corner is as near to the corner by way of a hub.
+  // Whether a path through a hub leads from a corner to a sector in its ring k in at most k steps.
   bool is_behind_hub(const int sector, const int k, const std::vector<int>& reach) const
   {
     for(std::size_t hub = 0; hub < reach.size(); ++hub)

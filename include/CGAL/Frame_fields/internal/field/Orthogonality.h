@@ -26,9 +26,10 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is a constant. Otherwise it
-// is area / (sqrt(3) length^2), which makes it the integral of (gamma0 - gamma1)^2 / length^2 against the integral of
-// the squared gradients, since an edge between equilateral triangles has weight 1.
+// The weight of (gamma0 - gamma1)^2 in each face of a patch. With uniform edge weights it is the option
+// `orthogonality_weight`. Otherwise it is area / (sqrt(3) length^2), where the option `orthogonality_length` gives the
+// length. The sum over the faces is then the integral of (gamma0 - gamma1)^2 / length^2, in the same proportion to the
+// integral of the squared gradients as the edge weights, since an edge between equilateral triangles has weight 1.
 class Orthogonality
 {
 public:
@@ -53,14 +54,15 @@ public:
     return (std::min)(largest_weight, m_is_integral ? m_factor * area(m_surface, face) : m_factor);
   }
 
-  // Whether the weight ties the two branches of a face to one another. One that vanishes in the rounding errors of the
-  // edge weights does not.
+  // Whether the weight ties the two branches of a face to one another: whether it is more than the rounding errors of
+  // the edge weights.
   bool ties(const int face) const { return weight(face) > smallest_effective_weight; }
 
 private:
   static constexpr double default_length_ratio = 0.25; // of the square root of the patch's area
   static constexpr double smallest_number = (std::numeric_limits<double>::min)();
-  // The edges have weights of about 1. A much larger weight would drown them, and holds the frames orthogonal as it is.
+  // The edges have weights of about 1. A larger bound would let them vanish in rounding errors; this one is enough to
+  // hold the frames orthogonal.
   static constexpr double largest_weight = 1e8;
 
   const Cut_surface& m_surface;

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Removes the corners that get a rotation prescribed: what they take, others give.
+// Removes the corners that get a rotation prescribed: they do not give rotation to one another.
 inline void remove_corners(const Cut_surface& surface, const Corner_bounds& bounds, std::vector<int>& sectors)
 {
   sectors.erase(std::remove_if(sectors.begin(), sectors.end(),
@@ -36,8 +36,8 @@ inline void remove_corners(const Cut_surface& surface, const Corner_bounds& boun
                 sectors.end());
 }
 
-// The sectors that are not corners within `number_of_rings` rings of `corner`, or of the nearest further ring
-// that has any.
+// The sectors within `number_of_rings` rings of `corner` that are not prescribed corners. If there are none, those of
+// the nearest ring beyond that has any; empty if the patch has none.
 inline std::vector<int> receivers_in_rings(const Cut_surface& surface, const int corner,
                                            const unsigned int number_of_rings, const Corner_bounds& bounds,
                                            Sector_rings& rings)
@@ -62,7 +62,8 @@ struct Receiver
   double part;
 };
 
-// The sectors that are not corners among those with a share in a ball, with parts proportional to their shares.
+// The sectors with a share in a ball that are not prescribed corners, with parts proportional to their shares; equal
+// parts if the shares have no area. The parts sum to 1.
 inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const std::vector<Sector_share>& shares,
                                              const Corner_bounds& bounds)
 {
@@ -79,7 +80,8 @@ inline std::vector<Receiver> receivers_among(const Cut_surface& surface, const s
   return receivers;
 }
 
-// The nearest sector along the surface that is not a corner, as the only receiver; none if all are corners.
+// The sector nearest to `corner` along the surface that is not a prescribed corner, as the only receiver; none if all
+// are prescribed corners.
 inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const int corner,
                                               const Corner_bounds& bounds, Geodesic_distances& distances)
 {
@@ -93,6 +95,7 @@ inline std::vector<Receiver> nearest_receiver(const Cut_surface& surface, const 
   return receivers;
 }
 
+// All these sectors as receivers, each with the same part.
 inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
 {
   std::vector<Receiver> result;
@@ -102,7 +105,8 @@ inline std::vector<Receiver> in_equal_parts(const std::vector<int>& sectors)
   return result;
 }
 
-// Finds the receivers of the corners of one patch, one corner after the other.
+// Finds the receivers of the prescribed corners of one patch, one corner after the other. Each search takes time in
+// proportion to the rings or the ball that it visits.
 class Receiver_search
 {
 public:

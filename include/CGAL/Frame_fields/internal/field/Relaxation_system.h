@@ -40,13 +40,13 @@ namespace internal {
 //
 // The variables are s = gamma0 + gamma1 and d = gamma0 - gamma1: with sigma = (-1)^p,
 //   2 (r0^2 + r1^2) = (2 r - s_i + s_j)^2 + (d_i - sigma d_j)^2,
-// so the sums and the differences do not meet but in guided faces and in aligned ones, where gamma0 or gamma1 is 0.
-// That leaves the factorization with less to fill than gamma0 and gamma1 do, which meet in each face.
+// so that only guided faces couple a sum with a difference, and aligned faces, where gamma0 or gamma1 is 0. The
+// factorization has less fill-in than with gamma0 and gamma1 as unknowns, which are coupled in each face.
 class Relaxation_system
 {
 public:
-  // The unknowns are numbered in the order of the faces in `face_order`: that is found faster than an order of the
-  // unknowns, which fills less by a sixth.
+  // The unknowns are numbered in the order of the faces in `face_order`. An elimination order of the unknowns
+  // themselves would give a sixth less fill-in, but takes longer to find.
   Relaxation_system(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
                     const std::vector<int>& matching, const Orthogonality& orthogonality,
                     const std::vector<int>& face_order)
@@ -167,8 +167,8 @@ private:
                          { visit(s, -d, guide_weight(m_surface, face)); });
   }
 
-  // Unknowns that no term ties to 0 form pieces that may shift by a common constant, up to sign. One unknown of each
-  // piece is fixed at 0. A piece is held if it meets 0 or itself with the other sign.
+  // The terms join unknowns, up to sign, to pieces. A piece that contains 0, or some unknown with both signs, is held.
+  // Any other one may shift by a constant without a change of the energy: one of its unknowns is fixed at 0.
   void fix_what_is_free()
   {
     if(has_face([this](const int f) { return m_orthogonality.ties(f); })

@@ -35,16 +35,16 @@ inline int nearest_branch(const double direction, const double alpha)
   return static_cast<int>(std::lround((direction - alpha) / (CGAL_PI / 2))) & 1;
 }
 
-// The branch pair that `alpha` puts along the direction an aligned face must keep.
+// The branch pair (0 or 1) that lies along the direction an aligned face must keep.
 inline int aligned_branch(const Cut_surface& surface, const int face, const double alpha)
 {
   return nearest_branch(surface.alignment[face], alpha);
 }
 
-// The branch of face j that branch `b` of face i goes to.
+// The branch pair of face j that branch pair `b` (0 or 1) of face i goes to across a dual edge with this matching.
 inline int matched_branch(const int b, const int matching) { return b ^ (matching & 1); }
 
-// The angle of branch pair b (0 or 1) in its face.
+// The angle of the first branch of branch pair b (0 or 1) in its face, in radians.
 inline double branch_angle(const std::vector<double>& alpha, const std::vector<double>& rho, const int face,
                            const int b)
 {

@@ -26,14 +26,15 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Cancels pairs of a positive and a negative index in a patch whose natural indices are 0, where that lowers
-// sum w (r - omega)^2 plus a price for each index of 1/4, which a quadrangle mesh pays with an irregular vertex. The
-// price is the least that an index costs in the ring of a regular vertex, six times the square of pi / 12. There is
-// none where a rotation is prescribed, which may ask for singularities. Keeps the field smoothed.
+// Cancels pairs of a positive and a negative index in a patch whose natural indices are 0, where that lowers the cost:
+// sum w (r - omega)^2 plus a price for each index of 1/4. A quadrangle mesh pays such an index with an irregular
+// vertex. The price is the least energy of an index of 1/4 in the ring of a vertex of six faces: six times the square
+// of pi / 12. There is no price if a rotation is prescribed, which may ask for singularities. Keeps the field smoothed.
 //
-// Each trial moves the indices of a batch of positive sectors to the negative ones that are the cheapest to reach, and
-// smooths the field with this matching. Batches are halved after each round, so that a few pairs are tried one by one
-// and many pairs in groups.
+// Each trial moves the indices of a batch of positive sectors to the negative sectors that are cheapest to reach, and
+// smooths the field with this matching; a trial that does not lower the cost is undone. The size of a batch is halved
+// after each round. There are 64 trials at most, so many pairs are tried in groups only. A trial takes one pass over
+// the patch for each sector of the batch, besides the searches and a solution.
 template <typename SolverTraits>
 class Pair_cancellation
 {

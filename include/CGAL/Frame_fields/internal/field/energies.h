@@ -36,7 +36,7 @@ inline double orthogonal_energy(const Cut_surface& surface, const Index_range& d
   return energy;
 }
 
-// sum w (r0^2 + r1^2) over the dual edges; `alpha` is the field before relaxation.
+// sum w (r0^2 + r1^2) over all dual edges; `alpha` is the field before relaxation, which `gamma` relaxes.
 inline double relaxed_energy(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, const std::vector<Branch_rotations>& gamma)
 {

@@ -25,19 +25,20 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A value of level k stands for its product with the k-th power of this.
+// A value of level k stands for the value times the k-th power of this unit.
 constexpr double level_unit = 1e-250;
 
-// Neighbors whose norms differ by more are no two places of a falling field: one of them vanishes.
+// A falling field does not fall more than by this factor from one face to the next. If the norms of two neighbors
+// differ by more, then the smaller value vanishes.
 constexpr double largest_fall = 1e20;
 
 // Continues the solution of `matrix` * z = `right_hand_side` below the range of `double`.
 //
-// On a rough surface |z| falls exponentially with the distance from the faces that ask for a direction, and reaches 0
-// in long patches. Let U be the unknowns below `level_unit`. Divided by this unit, and set to 0 outside U, they solve
-// matrix * x = h, where h is 0 but at both ends of the entries between U and the rest, and there the values known so
-// far give it. So each level costs one more solution with the same factorization, and the field is that of unbounded
-// exponents. Nothing is solved where no value falls so far.
+// On a rough surface |z| falls exponentially with the distance from the faces that ask for a direction, and underflows
+// to 0 in long patches. Let U be the unknowns below `level_unit`. Divided by this unit, and set to 0 outside U, they
+// solve matrix * x = h. Here h is 0 except in the rows of the entries between U and the other unknowns, where it
+// follows from the values known so far. So each level costs one more solution with the same factorization, and the
+// result is that of an arithmetic with unbounded exponents. Nothing is solved if no value falls so far.
 template <typename Solver>
 class Falling_values
 {
@@ -53,7 +54,8 @@ public:
       m_is_below[i] = is_small(z[i]) && magnitude(right_hand_side[i]) <= largest_fall * level_unit;
   }
 
-  // The level of each unknown, none if all are 0. Returns `false` if the solver fails.
+  // Sets the level of each unknown, and replaces the values of those whose level is not 0. `level` is empty if all
+  // levels are 0. The solver must hold the factors of the matrix. Returns `false` if it fails.
   bool find(std::vector<int>& level)
   {
     level.clear();
@@ -94,7 +96,8 @@ private:
         visit(m_matrix.row[k], j, m_matrix.value[k]);
   }
 
-  // Leaves out small values with a neighbor that is much larger or of another level. Returns how many are left.
+  // Takes out of U the values that have a neighbor which is much larger or of another level: they vanish. Returns how
+  // many unknowns are left in U.
   int leave_out_vanishing_values(const std::vector<char>& is_of_this_level)
   {
     if(std::find(m_is_below.begin(), m_is_below.end(), true) == m_is_below.end())

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The parts of a field, its matching and its indices that belong to one patch, out of arrays for all patches.
+// References to the arrays of a field for all patches, and copies of the parts of them that belong to one patch.
 class Matched_field
 {
 public:
@@ -80,8 +80,9 @@ private:
   const Patch& m_patch;
 };
 
-// The field of least sum w (r - omega)^2 with a given matching. Aligned faces keep their frames; where there are none,
-// one face does.
+// Finds the field of least sum w (r - omega)^2 with a given matching. Aligned faces keep their frames; if there are
+// none, the first face of the order does. Guiding directions are not regarded. The matrix is factored once, for any
+// number of matchings.
 template <typename SolverTraits>
 class Field_of_matching
 {
@@ -118,8 +119,9 @@ public:
     m_is_factored = m_matrix.size() > 0 && m_solver.factor(m_matrix);
   }
 
-  // Turns the frames of a field and sets the energy it has then; returns whether this was possible such that the
-  // matching is the nearest to omega.
+  // Turns the frames of a field to those of least energy, and sets this energy. Returns whether the matching is still
+  // nearest to omega then. If not, or if the solver fails, `alpha` and the energy may be changed: the caller must
+  // restore them.
   bool smooth(const std::vector<int>& matching, std::vector<double>& alpha, double& smoothed_energy)
   {
     if(!m_is_factored)

@@ -58,7 +58,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
     return result;
 
   clock.start(Stage::ORTHOGONAL_FIELD);
-  // One order for both the orthogonal field and the relaxation: to find it takes as long as a factorization.
+  // The orthogonal field and the relaxation share one order: to find it takes as long as a factorization.
   const std::vector<int> face_order = order_faces<ConcurrencyTag>(surface, solver_traits);
   result = compute_orthogonal_field<ConcurrencyTag>(surface, field.omega, face_order, solver_traits, field.alpha);
   if(result.error_code != OK)
@@ -80,6 +80,7 @@ Patch_result compute_frame_field(const Cut_surface& surface, const Options& opti
                                field.number_of_clamped_faces);
 }
 
+// The sharp corners of all patches, one patch after the other; `bound` is in radians.
 inline std::vector<int> sharp_corners_of_surface(const Cut_surface& surface, const double bound)
 {
   std::vector<int> result;

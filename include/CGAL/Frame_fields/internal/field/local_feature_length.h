@@ -24,13 +24,15 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Whether a constrained curve has a corner in a sector.
+// Whether a constrained curve has a corner in a sector: its angle is more than 45 degrees from a straight one.
 inline bool is_far_from_straight(const Cut_surface& surface, const int sector)
 {
   return std::abs(surface.total_angle[sector] - CGAL_PI) > CGAL_PI / 4;
 }
 
-// Half the length of the shorter one of the two constrained curves that leave a sharp corner.
+// Half the length of the shorter one of the two constrained curves that leave a prescribed corner, in the unit of
+// `Cut_surface::length`. A curve ends at the next sector that is far from straight, or where it comes back. Takes time
+// in proportion to the edges of both curves.
 inline double local_feature_length(const Cut_surface& surface, const int corner)
 {
   const int outgoing = next_of(surface.first_corner[corner]), incoming = previous_on_border(surface, outgoing);

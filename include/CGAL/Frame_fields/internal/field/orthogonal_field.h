@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The angle of the branch that an aligned face must have, up to quarter turns.
+// The angle of the branch that an aligned face must have, up to quarter turns: in [-pi / 4, pi / 4].
 inline double aligned_alpha(const Cut_surface& surface, const int face)
 {
   return std::remainder(surface.alignment[face], CGAL_PI / 2);
@@ -126,8 +126,9 @@ public:
     return result;
   }
 
-  // Where the search for the smallest eigenvector starts, in a patch without aligned face: values without a pattern
-  // that a mesh could share, the same for a face whatever its unknown's number is.
+  // Where the search for the smallest eigenvector starts. The patch must have no aligned face. The values are
+  // pseudorandom, so that no pattern of a mesh is orthogonal to them; they depend on the number of the face, not on
+  // that of its unknown.
   std::vector<Complex> start_vector() const
   {
     std::mt19937 generator;
@@ -155,8 +156,9 @@ private:
   bool m_is_anchored;
 };
 
-// Finds the values of the unknowns and their levels, which tell values below the range of `double`. A patch in which no
-// face asks for a direction gets a smooth field of unit length.
+// Finds the values of the unknowns and their levels, which stand for factors below the range of `double` (see
+// `Falling_values`). If no face of the patch asks for a direction, the field comes from the smallest eigenvector by
+// `flow_to_unit_length()`, and `level` is left as it is. Returns false if the solver fails.
 template <typename Solver>
 bool solve_orthogonal_field(Solver& solver, const Orthogonal_field_system& system, std::vector<Complex>& z,
                             std::vector<int>& level)

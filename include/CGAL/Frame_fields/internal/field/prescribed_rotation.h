@@ -54,7 +54,8 @@ inline std::vector<int> prescribed_corners_of_patch(const Cut_surface& surface, 
   return result;
 }
 
-// Blunt corners can do without a prescribed rotation: they must not leave a patch without any receiver.
+// The given bounds or, if all sectors of the patch are prescribed corners by them, those by which only the sharp ones
+// are. Blunt corners can do without a prescribed rotation, so they must not leave a patch without any receiver.
 inline Corner_bounds bounds_that_leave_a_receiver(const Cut_surface& surface, const Patch& patch,
                                                   const Corner_bounds& bounds)
 {
@@ -64,7 +65,7 @@ inline Corner_bounds bounds_that_leave_a_receiver(const Cut_surface& surface, co
   return { bounds.sharp, std::numeric_limits<double>::infinity() };
 }
 
-// The naive fix of Section 3.2 of the paper.
+// The naive fix of Section 3.2 of the paper: each prescribed corner shares its demand equally among its dual edges.
 inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& patch, const Corner_bounds& bounds,
                                        std::vector<double>& omega)
 {
@@ -81,7 +82,7 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
              - share[surface.sector[surface.dual_edges[e].opposite] - patch.sectors.begin_index];
 }
 
-// Whether what some sectors of the patch ask for is taken from others.
+// Whether the demand of the patch sums to zero up to rounding errors: what some sectors ask for is taken from others.
 inline bool sums_to_zero(const Patch& patch, const std::vector<double>& demand)
 {
   double sum = 0, absolute_sum = 1;
@@ -94,8 +95,8 @@ inline bool sums_to_zero(const Patch& patch, const std::vector<double>& demand)
 }
 
 // Sets omega = W^-1 D^T lambda with (D W^-1 D^T) lambda = demand, the solution of d omega = demand with the least
-// sum w omega^2. The first sector of the patch is pinned at lambda = 0; since the demand sums to zero its own equation
-// holds as well.
+// sum w omega^2. The demand must sum to zero over the patch. The first sector is pinned at lambda = 0; its own equation
+// follows from the others. Returns false if the solver fails. `demand` is in radians per sector, `omega` per dual edge.
 template <typename SolverTraits>
 bool least_norm_rotation(const Cut_surface& surface, const Patch& patch, const std::vector<double>& demand,
                          const SolverTraits& solver_traits, std::vector<double>& omega)
@@ -148,7 +149,9 @@ inline double demand_of_index(const Cut_surface& surface, const int sector, cons
   return surface.total_angle[sector] + 2 * CGAL_PI * turns;
 }
 
-// Sets the demand of the patch. Returns false in `is_needed` if it is zero everywhere.
+// Sets the demand of the patch, in radians per sector. Sets `is_needed` to false and leaves the demand as it is if no
+// rotation is prescribed. Fails if index targets do not sum to what the Euler characteristic asks for, or if a corner
+// has no receiver.
 inline Patch_result set_demand(const Cut_surface& surface, const Patch& patch, const Support_strategy& strategy,
                                const Corner_bounds& given_bounds, std::vector<double>& demand, bool& is_needed)
 {

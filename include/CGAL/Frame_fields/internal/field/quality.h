@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// r0 or r1 of eq. (4) of the paper.
+// r0 or r1 of eq. (4) of the paper, in radians; `b` is 0 or 1.
 inline double branch_rotation(const Cut_surface& surface, const std::vector<double>& alpha,
                               const std::vector<double>& rho, const std::vector<int>& matching, const int dual_edge,
                               const int b)
@@ -54,7 +54,8 @@ inline std::vector<std::array<double, 2> > rotations_of_branches(const Cut_surfa
   return result;
 }
 
-// The difference that a pair of matched branches has along the edge they meet at: cos of their angles to it.
+// The difference between the components of two matched branches along the edge between their faces. `rotation` is that
+// of branch `b` across the edge, in radians.
 inline double curl_of_branch(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<double>& rho, const int dual_edge, const int b, const double rotation)
 {
@@ -64,7 +65,8 @@ inline double curl_of_branch(const Cut_surface& surface, const std::vector<doubl
   return std::cos(angle_i) - std::cos(angle_i + rotation);
 }
 
-// The angle in [0, pi/2] between the constrained edge of an aligned face and the nearer branch pair, in radians.
+// The angle in [0, pi / 2], in radians, between the direction that an aligned face must keep and the nearer branch
+// pair.
 inline double misalignment(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<double>& rho,
                            const int face)
 {
@@ -75,6 +77,7 @@ inline double misalignment(const Cut_surface& surface, const std::vector<double>
   return (std::min)(distance_of_branch(0), distance_of_branch(1));
 }
 
+// Measures a field; `rotations` are r0 and r1 of its dual edges. Takes time linear in the size of the surface.
 inline Field_quality measure_quality(const Cut_surface& surface, const std::vector<double>& alpha,
                                      const std::vector<double>& rho,
                                      const std::vector<std::array<double, 2> >& rotations)

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Brings gamma0 and gamma1 to a distance of at most `maximum_skewness`; returns whether they were farther apart.
-// `fixed_branch` is the one that must stay, -1 if both may move.
+// Brings gamma0 and gamma1 to a distance of at most `maximum_skewness`; all are in radians. Returns whether they were
+// farther apart. `fixed_branch` is the branch pair that must stay, -1 if both may move.
 inline bool clamp(Branch_rotations& gamma, const int fixed_branch, const double maximum_skewness)
 {
   const double skewness = gamma[1] - gamma[0];

@@ -27,15 +27,15 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// d omega at a corner: what gives it its natural index (eq. (3) of the paper).
+// d omega, in radians, that gives a sector on constrained edges its natural index (eq. (3) of the paper).
 inline double rotation_demand_of_corner(const double total_angle)
 {
   return total_angle - natural_number_of_quads(total_angle) * CGAL_PI / 2;
 }
 
-// Adds to `demand` (K of the paper) what the corners of the patch ask for and takes it from their receivers.
-// `corners` must not be empty, and `demand` must be 0 in the patch before; it is in radians, per sector. Returns -1,
-// or a corner that has no receiver. The strategies `none` and `local` have no demand.
+// Sets in `demand` (K of the paper) what the corners of the patch ask for and takes it from their receivers. `corners`
+// must not be empty, and `demand` must be 0 in the patch before; it is in radians, per sector. Returns -1, or a corner
+// that has no receiver. The strategies `NONE` and `LOCAL` have no demand and must not be given.
 inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch,
                                   const std::vector<int>& corners, const Support_strategy& strategy,
                                   const Corner_bounds& bounds, std::vector<double>& demand)

@@ -97,7 +97,7 @@ Patch_result compute_orthogonal_field(const Cut_surface& surface, const std::vec
   });
 }
 
-// Sets 4 I per sector.
+// Sets 4 I per sector. Fails if `alpha` is not aligned with the constrained edges.
 template <typename ConcurrencyTag>
 Patch_result compute_indices(const Cut_surface& surface, const std::vector<double>& alpha,
                              const std::vector<int>& matching, std::vector<int>& index)
@@ -109,8 +109,8 @@ Patch_result compute_indices(const Cut_surface& surface, const std::vector<doubl
   });
 }
 
-// The matching nearest to omega, made natural if the options ask for it. The sectors whose index this changed are
-// added to `repaired_sectors`.
+// Sets the matching nearest to omega and 4 I per sector. Patches with index targets then get these targets; the others
+// are made natural if the options ask for it. The sectors whose index this changed are added to `repaired_sectors`.
 template <typename ConcurrencyTag>
 Patch_result compute_matching_and_indices(const Cut_surface& surface, const std::vector<double>& omega,
                                           const std::vector<double>& alpha, const Options& options,
@@ -138,7 +138,7 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
   return result;
 }
 
-// Sets gamma, in radians per face and branch (Section 3.4 of the paper), and counts the faces whose skewness was
+// Sets gamma, in radians per face and branch (Section 4 of the paper), and counts the faces whose skewness was
 // clamped.
 template <typename ConcurrencyTag, typename SolverTraits>
 Patch_result relax(const Cut_surface& surface, const std::vector<double>& alpha, const std::vector<int>& matching,

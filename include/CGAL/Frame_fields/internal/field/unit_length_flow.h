@@ -25,6 +25,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// Divides each value by its norm; values that are 0 stay.
 inline void bring_to_unit_length(std::vector<std::complex<double> >& z)
 {
   for(std::complex<double>& z_i : z)
@@ -32,11 +33,13 @@ inline void bring_to_unit_length(std::vector<std::complex<double> >& z)
       z_i /= length;
 }
 
-// Turns an eigenvector into a field of unit length whose sum w |z_i - z_j exp(...)|^2 is small. Where the |z| of an
-// eigenvector is small, its differences cost next to nothing, and there are singularities that no field of unit length
-// would have. Steps of the flow (matrix + shift) z' = z alternate with bringing z to unit length, as Merriman, Bence
-// and Osher do for the motion by curvature. The first shift is the eigenvalue, so that a step reaches through the whole
-// patch; the next ones settle details. A field without any difference, whose eigenvalue vanishes, is left as it is.
+// Turns an eigenvector into a field that is smooth when all its values are brought to unit length. Where the |z| of an
+// eigenvector is small, its differences cost next to nothing, and there are singularities that a smooth field of unit
+// length does not have. The values are brought to unit length before each step of the flow (matrix + shift) z' = z, as
+// Merriman, Bence and Osher do for the motion by curvature. The first shift is the eigenvalue, so that a step reaches
+// through the whole patch; the larger ones that follow settle details. `z` must have norm 1, and is left as it is if
+// its eigenvalue vanishes. The values that the last step gives are not of unit length. Returns false if the solver
+// fails.
 template <typename Solver>
 bool flow_to_unit_length(Solver& solver, Hermitian_matrix<std::complex<double> > matrix,
                          std::vector<std::complex<double> >& z)

@@ -28,11 +28,12 @@ namespace internal {
 
 typedef std::complex<double> Complex;
 
-// The values around a face cancel out if their mean is this much smaller than their mean norm. What solvers leave of
-// such a mean, direct or iterative, is smaller still.
+// The values around a face cancel out if the norm of their mean is at most this part of the mean of their norms. The
+// rounding errors of solvers, direct or iterative, are smaller still.
 constexpr double largest_vanishing_ratio = 1e-6;
 
-// States that z[to] = factor * z[from] for a field without rotation between them.
+// Says that the values of two neighboring faces fulfil z(to) = factor * z(from) if the field does not rotate in
+// between.
 struct Vanishing_value_link
 {
   int from, to;
@@ -41,7 +42,7 @@ struct Vanishing_value_link
   bool operator<(const Vanishing_value_link& other) const { return from < other.from; }
 };
 
-// The fourth power of the edges of a face, in terms of its circumdiameter, summed up.
+// The sum of the fourth powers of the edge vectors of a face, as complex numbers in the unit of its circumdiameter.
 inline Complex mean_edge_value(const Cut_surface& surface, const int face)
 {
   Complex sum(0);
@@ -50,10 +51,12 @@ inline Complex mean_edge_value(const Cut_surface& surface, const int face)
   return sum;
 }
 
-// The values of a field in the faces of a patch, those that vanish replaced. Where the values around a face cancel out,
-// every direction costs the same, and the rounding errors of the solver would choose one. Such faces, and connected
-// groups of them as a whole, take the mean direction of their edges instead, which depends neither on the solver nor on
-// the numbers of the faces. There is none in an equilateral face, and around a vertex it depends on the path.
+// Replaces the values of a field that vanish in faces of a patch. Where the values around a face cancel out, every
+// direction costs the same, and the rounding errors of the solver would choose one. Such a face takes the mean
+// direction of its edges instead, and a connected group of such faces that of all its edges. In general this depends
+// neither on the solver nor on the numbers of the faces. There are two exceptions: an equilateral face has no mean
+// direction, and in a group that closes up around a vertex the direction depends on the order in which its faces are
+// reached.
 template <typename Field_system>
 class Field_without_zeros
 {

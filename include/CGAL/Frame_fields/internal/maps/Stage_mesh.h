@@ -79,7 +79,8 @@ private:
   Cut_mesh<Triangle_mesh> m_cut_mesh;
 };
 
-// One that the caller has cut before is not changed: what guides the field goes into a copy.
+// The same for a mesh that the caller has cut before. It is not changed: guidance and index targets go into a copy,
+// which is made only if they are given.
 template <typename TriangleMesh, typename GeomTraits, typename NamedParameters>
 class Stage_mesh<Cut_triangle_mesh<TriangleMesh, GeomTraits>, NamedParameters>
 {
@@ -130,7 +131,7 @@ private:
   Cut_mesh<Triangle_mesh> m_guided;
 };
 
-// Refuses numbers out of range before the mesh is cut.
+// Cuts the mesh unless an option is out of range.
 template <typename StageMesh>
 Result check_and_cut(const Options& options, StageMesh& stage_mesh)
 {

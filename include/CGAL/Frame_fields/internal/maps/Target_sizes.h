@@ -28,13 +28,14 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The size of the quads among the named parameters: one of both, or neither.
+// The size of the quads among the named parameters, given by one of two numbers or by neither.
 struct Quad_size
 {
   double target_edge_length; // 0 if it is not given
   double number_of_quads;    // 0 if it is not given
 };
 
+// The size as it is given, in the unit of the mesh; `check_quad_size()` tells whether it is in range.
 template <typename NamedParameters>
 Quad_size quad_size_from(const NamedParameters& np)
 {
@@ -44,6 +45,7 @@ Quad_size quad_size_from(const NamedParameters& np)
            static_cast<double>(choose_parameter(get_parameter(np, internal::number_of_quads), 0.)) };
 }
 
+// Fails with `ERROR_WRONG_PARAMETER` if a number that is given is out of range.
 template <typename NamedParameters>
 Result check_quad_size(const NamedParameters&, const Quad_size& size)
 {
@@ -56,7 +58,8 @@ Result check_quad_size(const NamedParameters&, const Quad_size& size)
   return {};
 }
 
-// In the unit of `Cut_surface::length`; by default the mean length of the edges.
+// The target edge length in the unit of `Cut_surface::length`, which must be there. It takes precedence over the number
+// of quads; the default is the mean length of the halfedges, in which edges that are not on the border count twice.
 inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
 {
   if(size.target_edge_length > 0)
@@ -69,19 +72,20 @@ inline double target_edge_length_of(const Quad_size& size, const Cut_surface& su
   return sum / static_cast<double>(surface.length.size());
 }
 
-// The lengths that edges should have, a length for all times a factor for each vertex.
+// The lengths that edges should have: one length for all, divided by a density for each vertex.
 struct Target_sizes
 {
   double edge_length = 0;      // in the unit of `Cut_surface::length`
   std::vector<double> density; // per vertex: `edge_length` over the length wanted there; empty if it is 1
 };
 
+// The density at the target of a halfedge.
 inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
 {
   return density.empty() ? 1 : density[embedding.vertex[halfedge]];
 }
 
-// The density of a face, that is linear between its vertices, on average.
+// The mean over a face of the density, which is linear between its vertices.
 inline double mean_density(const Surface_embedding& embedding, const std::vector<double>& density, const int face)
 {
   double sum = 0;
@@ -90,6 +94,8 @@ inline double mean_density(const Surface_embedding& embedding, const std::vector
   return sum / 3;
 }
 
+// The length that edges should have per face, in the unit of `Cut_surface::length`. The embedding is used only if there
+// are densities.
 inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, const Surface_embedding& embedding,
                                                 const Target_sizes& sizes)
 {
@@ -100,7 +106,8 @@ inline std::vector<double> edge_length_of_faces(const Cut_surface& surface, cons
   return result;
 }
 
-// How many quads of the wanted size cover some faces, over how many cover as large an area at the density 1.
+// The mean of the squared density over some faces, weighted by area: the number of quads of the wanted size that cover
+// them, divided by the number at the density 1. Without area it is that of the first face; `faces` must not be empty.
 inline double mean_squared_density(const Cut_surface& surface, const Surface_embedding& embedding,
                                    const std::vector<double>& density, const Index_range& faces)
 {

@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Carries guiding directions and index targets from a cut mesh to a refined copy of it.
+// Carries guiding directions and index targets from a cut mesh to a refined copy of it. The vertices of the given mesh
+// must have the same numbers in its embedding and in the copy.
 template <typename TriangleMesh>
 class Guidance_carrier
 {
@@ -63,7 +64,8 @@ private:
 
   int vertex(const int halfedge) const { return target(m_copy.halfedge_of(halfedge), m_copy.mesh()).value; }
 
-  // An infinite weight has aligned a face.
+  // Guides or aligns a face of the copy as the face that it comes from. That face is aligned without a constrained edge
+  // if its guiding weight was infinite.
   void guide(const int face)
   {
     const Cut_surface& given = m_given.surface();

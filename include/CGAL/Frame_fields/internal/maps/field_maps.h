@@ -53,6 +53,7 @@ Result to_result(const CutMesh& cut_mesh, const Patch_result& patch_result)
   }
 }
 
+// Writes a value per face.
 template <typename CutMesh, typename FaceMap, typename Value>
 void write_on_faces(const CutMesh& cut_mesh, const std::vector<Value>& values, const FaceMap map)
 {
@@ -86,7 +87,7 @@ void write_on_sectors(const CutMesh& cut_mesh, const std::vector<Value>& values,
   cut_mesh.for_each_halfedge([&](const auto h, const int i) { put(map, h, i < 0 ? Value(0) : values[sector[i]]); });
 }
 
-// Writes one halfedge of each sector of a list, which is asked for only if there is an iterator.
+// Writes one halfedge of each sector of a list. The list is computed only if there is an output iterator.
 template <typename CutMesh, typename ListSectors, typename OutputIterator>
 void write_sectors(const CutMesh& cut_mesh, const ListSectors& list_sectors, OutputIterator out)
 {
@@ -137,7 +138,8 @@ template <typename CutMesh, typename Value>
 void write_on_dual_edges(const CutMesh&, const std::vector<Value>&, const CGAL::internal_np::Param_not_found) {}
 
 
-// Beyond it an angle has lost the digits that say where it points, and its quarter turns are no int.
+// The largest |angle| that is accepted, in radians. In much larger ones the digits that tell a direction are lost, and
+// the number of quarter turns does not fit into an `int`.
 constexpr double largest_angle_read = 1e6;
 
 inline bool is_angle(const double value) { return std::abs(value) <= largest_angle_read; }
@@ -147,6 +149,8 @@ inline std::string beyond_largest_angle()
   return " is not finite or beyond +-" + std::to_string(static_cast<int>(largest_angle_read)) + " radians in ";
 }
 
+// Reads an angle in radians per face. `values` must be empty before. Fails with `ERROR_WRONG_FIELD` if one is not
+// finite or too large; `name` tells in the message what was read.
 template <typename CutMesh, typename FaceMap>
 Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const FaceMap map, std::vector<double>& values)
 {
@@ -161,7 +165,8 @@ Result read_from_faces(const CutMesh& cut_mesh, const char* const name, const Fa
   return {};
 }
 
-// Reads values on halfedges that must be opposite on the two halfedges of each dual edge.
+// Reads values on halfedges, for each dual edge that of its first halfedge. They must be opposite on both halfedges:
+// integers exactly, others up to 1e-9. `values` must be empty before.
 template <typename CutMesh, typename HalfedgeMap, typename Value>
 Result read_from_dual_edges(const CutMesh& cut_mesh, const char* const name, const HalfedgeMap map,
                             std::vector<Value>& values)
@@ -183,7 +188,7 @@ Result read_from_dual_edges(const CutMesh& cut_mesh, const char* const name, con
   return {};
 }
 
-// Reads a map given by a named parameter, or leaves `values` empty if it is not given.
+// Leaves `values` empty, since the map was not given.
 template <typename CutMesh, typename Value>
 Result read_from_dual_edges(const CutMesh&, const char*, const CGAL::internal_np::Param_not_found,
                             std::vector<Value>&)

@@ -33,7 +33,7 @@ namespace internal {
 
 // Reads the fields that a caller gives.
 
-// Reads omega, which is 0 if it is not given.
+// Reads omega, in radians per dual edge; it is 0 if it is not given. `omega` must be empty before.
 template <typename CutMesh, typename NamedParameters>
 Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& np, std::vector<double>& omega)
 {
@@ -49,6 +49,8 @@ Result read_prescribed_rotation(const CutMesh& cut_mesh, const NamedParameters& 
   return {};
 }
 
+// Reads the matching if the caller gives one. Otherwise computes it for `alpha` as the pipeline does, with the
+// prescribed rotation that the caller gives, the index targets of the surface and the repair that the options ask for.
 template <typename ConcurrencyTag, typename CutMesh, typename NamedParameters>
 Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& np, const Options& options,
                                 const std::vector<double>& alpha, std::vector<int>& matching)
@@ -66,6 +68,7 @@ Result read_or_compute_matching(const CutMesh& cut_mesh, const NamedParameters& 
     cut_mesh.surface(), omega, alpha, options, matching, index, repaired_sectors));
 }
 
+// Reads rho, in radians per face; it is 0 if it is not given.
 template <typename CutMesh, typename FaceMap>
 Result read_skewness(const CutMesh& cut_mesh, const FaceMap skewness_map, std::vector<double>& rho)
 {
@@ -79,7 +82,7 @@ Result read_skewness(const CutMesh& cut_mesh, const CGAL::internal_np::Param_not
   return {};
 }
 
-// Reads a field as it is.
+// Reads a field without changes. `alpha`, `rho` and `matching` must be empty before.
 template <typename CutMesh, typename AlphaMap, typename SkewnessMap, typename MatchingMap>
 Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                   const MatchingMap matching_map, std::vector<double>& alpha, std::vector<double>& rho,
@@ -93,8 +96,8 @@ Result read_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const Skewn
   return result;
 }
 
-// Reads a field and undoes the relaxation in aligned faces, where alone it matters for the indices. The
-// field must be aligned there.
+// Reads alpha and undoes the relaxation in aligned faces; in other faces it does not matter for the indices. Some
+// branch of an aligned face must be along its direction up to 1e-7 radians; otherwise fails with `ERROR_WRONG_FIELD`.
 template <typename CutMesh, typename AlphaMap, typename SkewnessMap>
 Result read_unrelaxed_field(const CutMesh& cut_mesh, const AlphaMap alpha_map, const SkewnessMap skewness_map,
                             std::vector<double>& alpha)

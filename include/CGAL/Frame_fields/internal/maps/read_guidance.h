@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What a caller asks of a field goes into the surface: guiding directions and index targets.
+// Reads what a caller asks of a field, guiding directions and index targets, into the cut surface.
 
 // The weight of guiding directions for which none is given.
 template <typename Face>
@@ -48,7 +48,8 @@ struct Unit_weight_map
 template <typename NamedParameters, typename Tag>
 constexpr bool is_given = !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-// An infinite weight aligns a face that has no constrained edge.
+// Reads guiding directions and their weights, which must not be negative. A face with a constrained edge is not guided.
+// An infinite weight aligns any other face.
 template <typename TriangleMesh, typename DirectionMap, typename WeightMap, typename GeomTraits>
 Result read_guidance(Cut_mesh<TriangleMesh>& cut_mesh, const DirectionMap guiding_direction,
                      const WeightMap guiding_weight, const GeomTraits& traits)
@@ -80,7 +81,8 @@ Result read_guidance(Cut_mesh<TriangleMesh>& cut_mesh, const DirectionMap guidin
   return {};
 }
 
-// The halfedges of a sector must not contradict one another.
+// Reads 4 I per sector. The halfedges of a sector must not contradict one another, and the targets of a patch, with the
+// natural indices of its other sectors, must sum to 4 times its Euler characteristic.
 template <typename TriangleMesh, typename TargetMap>
 Result read_index_targets(Cut_mesh<TriangleMesh>& cut_mesh, const TargetMap index_target)
 {

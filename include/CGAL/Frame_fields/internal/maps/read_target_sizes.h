@@ -39,6 +39,8 @@ inline std::vector<int> halfedges_of_vertices(const Surface_embedding& embedding
   return result;
 }
 
+// Calls `visit(v, number)` for the vertices of an embedding, with their descriptors and their numbers in it, until a
+// call fails. Returns the failure, or success.
 template <typename CutMesh, typename Visit>
 Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embedding, const Visit& visit)
 {
@@ -48,8 +50,9 @@ Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embeddi
   return {};
 }
 
-// Reads the lengths wanted at the vertices. Their unit becomes the length that as many quads would have if all were of
-// the same size, or the one that follows from the number of quads.
+// Reads the lengths wanted at the vertices, in the unit of the mesh; they must be positive and finite. The common edge
+// length becomes the one that as many quads would have if all were of the same size or, if the number of quads is
+// given, the one that follows from it: then only the ratios of the lengths count.
 template <typename CutMesh, typename SizingMap>
 Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, const SizingMap sizing,
                   const Quad_size& size, Target_sizes& sizes)

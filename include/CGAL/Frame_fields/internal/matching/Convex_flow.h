@@ -25,13 +25,15 @@ namespace internal {
 
 // An integer flow of least cost on a graph whose arcs have convex costs, by successive shortest paths.
 //
-// Units move between nodes, and between nodes and a *hub*, which is joined to the nodes by arcs without cost: it stands
-// for all places where a unit may be put or taken. If no single unit can be moved around a cycle with profit at first,
-// then this holds after each call of `move_unit()`: whatever the order of the calls, the flow costs least among all
-// that move as much from and to each node in need. Every path is the cheapest one from or to its node.
+// Units move between nodes, and between nodes and a *hub*. Arcs without cost join the hub to the nodes; it stands for
+// all places where a unit may be put or taken. The initial flow must be optimal: it has no cycle of negative cost.
+// Each call of `move_unit()` keeps it optimal, since its path is a cheapest one. So, whatever the order of the calls,
+// the flow costs least among all that move as many units from and to the nodes for which `move_unit()` was called.
 //
-// A search visits only what is nearer than its end, and leaves potentials only there. They keep the arcs to and from
-// the hub non-negative, too, so that the search may stop where no node is nearer than the best end.
+// A search is Dijkstra's algorithm on reduced costs. It stops when no unvisited node is nearer than the hub, and it
+// changes only the potentials of the nodes that are nearer. The potentials keep the reduced costs of the arcs to and
+// from the hub non-negative, too. So a call takes O(k log k) for the k arcs that it visits, not for all arcs of the
+// graph.
 //
 // `Graph` has the members
 //   int number_of_nodes() const;
@@ -68,8 +70,9 @@ public:
     return end;
   }
 
-  // Must be called when nodes get new arcs to the hub (`OUT`) or from it (`IN`), where none had any. The other arcs
-  // between the nodes and the hub must not be used again.
+  // Must be called when nodes get new arcs to the hub (`OUT`) or from it (`IN`); `is_new_end(node)` tells which nodes.
+  // Before, no node may have had such an arc left. Arcs of the other direction must not be used any more, since all
+  // potentials are shifted. Takes time linear in the number of nodes.
   template <typename IsNewEnd>
   void join_to_hub(const Direction direction, const IsNewEnd& is_new_end)
   {
@@ -86,7 +89,8 @@ public:
 private:
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  // Costs less the differences of the potentials are negative only by rounding errors. The hub has potential 0.
+  // The cost of an arc with the difference of its potentials. It is non-negative but for rounding errors, which are
+  // cut off. The hub has potential 0.
   double reduced_cost(const int arc, const int from, const int to) const
   {
     return (std::max)(0., m_graph.cost(arc) + m_potential[from] - m_potential[to]);
@@ -143,8 +147,8 @@ private:
     return cheapest;
   }
 
-  // The usual min(distance, distance of the hub), less the latter, so that what is not nearer than the hub keeps its
-  // potential.
+  // The usual change of a potential is min(distance, distance of the hub). Here the distance of the hub is subtracted
+  // from it, so that nodes that are not nearer than the hub keep their potentials.
   void update_potentials(const Direction direction)
   {
     for(const int node : m_reached)

@@ -25,9 +25,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The sectors of one patch as the nodes of a graph for `Convex_flow`, where a unit is an index of 1/4. Lowering p_ij by
-// one moves it along the halfedge of face i: from the sector at its target to the one at its source. Costs are those of
-// sum w (r - omega)^2 for the given alpha. Each sector has bounds between which its 4 I may change.
+// The sectors of one patch as the nodes of a graph for `Convex_flow`, where a unit is an index of 1/4. The arcs are the
+// unconstrained halfedges, each from the sector at its target to the one at its source: lowering p_ij by one moves a
+// unit along the halfedge of face i. `push()` changes the matching only; the caller changes the indices at both ends of
+// a path. Costs are those of sum w (r - omega)^2 for the given alpha. Each sector has bounds between which its 4 I may
+// change; at first both are its present 4 I.
 class Sector_graph
 {
 public:
@@ -68,9 +70,10 @@ public:
   int reverse(const int halfedge) const { return m_surface.opposite[halfedge]; }
   int source(const int halfedge) const { return node_of(halfedge); }
 
-  // Costs are rounded to multiples of a small number, far above the rounding errors of alpha and far below what costs
-  // differ by. Symmetric models have paths of equal cost: so the same one comes first whatever solver found alpha. Sums
-  // of such numbers have no rounding errors, either.
+  // The change of sum w (r - omega)^2 when one more unit moves along the halfedge, rounded to a multiple of 2^-30. That
+  // is far above the rounding errors of alpha and far below the differences between costs. Symmetric models have paths
+  // of equal cost; thanks to the rounding the same one is the cheapest whatever solver found alpha. Sums below 2^23 of
+  // such multiples are exact.
   double cost(const int halfedge) const
   {
     const double scale = 1 << 30;

@@ -41,7 +41,8 @@ inline double rotation(const Cut_surface& surface, const std::vector<double>& al
   return unmatched_rotation(surface, alpha, dual_edge) + matching[dual_edge] * CGAL_PI / 2;
 }
 
-// Writes p_ij on the dual edges of the patch: the integers that bring r_ij nearest to omega_ij.
+// Writes p_ij on the dual edges of the patch: the integers that bring r_ij nearest to omega_ij. Angles are in radians;
+// the quotients by a quarter turn must fit into an `int`.
 inline void match_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
                         const std::vector<double>& alpha, std::vector<int>& matching)
 {
@@ -49,6 +50,7 @@ inline void match_patch(const Cut_surface& surface, const Patch& patch, const st
     matching[e] = static_cast<int>(std::lround((omega[e] - unmatched_rotation(surface, alpha, e)) / (CGAL_PI / 2)));
 }
 
+// Whether each r_ij differs from omega_ij by at most an eighth of a turn, up to rounding errors.
 inline bool is_nearest_matching(const Cut_surface& surface, const Patch& patch, const std::vector<double>& omega,
                                 const std::vector<double>& alpha, const std::vector<int>& matching)
 {
@@ -66,7 +68,8 @@ inline bool has_sum_of_indices(const Patch& patch, const std::vector<int>& index
 }
 
 // Writes 4 I on the sectors of the patch (eq. (3) of the paper). `alpha` must be an orthogonal field aligned with the
-// constrained edges; then 4 I is an integer up to rounding errors.
+// constrained edges; then 4 I is an integer up to rounding errors. Otherwise returns `ERROR_WRONG_FIELD` with the first
+// sector where 4 I is farther than 1e-6 from an integer, or beyond +-1e9.
 inline Patch_result indices_in_patch(const Cut_surface& surface, const Patch& patch, const std::vector<double>& alpha,
                                      const std::vector<int>& matching, std::vector<int>& index)
 {

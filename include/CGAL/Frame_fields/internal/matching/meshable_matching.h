@@ -25,14 +25,15 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Whether a sector on constrained edges has no room for a quadrangle.
+// Whether a sector is on constrained edges and has an index that leaves no room for a quadrangle: 4 I is more than 1.
 inline bool is_unmeshable(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
   return index[sector] > maximum_meshable_index && surface.is_constrained_sector(sector);
 }
 
-// Changes the matching of one patch until the index of each sector is between bounds. The result costs least in
-// sum w (r - omega)^2 among all matchings with indices between them, for the given alpha.
+// Changes the matching of one patch, and its indices with it, until the index of each sector is between two bounds.
+// The given matching must be nearest to omega. Then the new one has the least sum w (r - omega)^2 for the given alpha
+// among all matchings that change the indices of the sectors out of bounds by as much.
 class Meshable_matching
 {
 public:
@@ -50,8 +51,9 @@ public:
     add_what_is_missing();
   }
 
-  // Gives each sector on constrained edges its natural index, as far as the sectors inside have room: there 4 I becomes
-  // neither more than 1 nor, as long as another one can change, less than -1.
+  // Gives each sector on constrained edges its natural index, as far as the sectors inside can make up for it. No 4 I
+  // inside becomes more than 1. It falls below -1 only when all sectors inside are at their lower bounds; then the
+  // bounds go down evenly.
   void make_natural()
   {
     for(int node = 0; node < m_graph.number_of_nodes(); ++node)
@@ -63,8 +65,8 @@ public:
     while(!add_what_is_missing() && lower_bounds_inside()) {}
   }
 
-  // For patches without room for that: moves what sectors on constrained edges have above the largest meshable index
-  // to others of them or, if all are full, inside.
+  // For patches that have too little room for natural indices: moves what a sector on constrained edges has above the
+  // largest meshable index to other sectors on constrained edges or, if all of these are full, to sectors inside.
   void make_meshable()
   {
     for(const bool goes_inside : { false, true })
@@ -77,7 +79,8 @@ public:
     }
   }
 
-  // Moves what one sector has above 0 to sectors below 0, as far as there are any.
+  // Moves what one sector has above 0 to sectors below 0, as far as there are any. Takes time linear in the number of
+  // sectors of the patch, besides the searches.
   void cancel_with_negative(const int sector)
   {
     for(int node = 0; node < m_graph.number_of_nodes(); ++node)
@@ -96,7 +99,8 @@ private:
   bool is_inside(const int node) const { return !m_surface.is_constrained_sector(m_graph.sector(node)); }
   int natural_index_of(const int node) const { return natural_index(m_surface, m_graph.sector(node)); }
 
-  // Moves an index of 1/4 from or to the sector. Returns false if there is no other one for it.
+  // Moves an index of 1/4 from the sector (`OUT`) or to it (`IN`). Returns false if no other sector can take or give
+  // it.
   bool move_index(const int node, const Flow::Direction direction)
   {
     const int end = m_flow.move_unit(node, direction);
@@ -108,7 +112,8 @@ private:
     return true;
   }
 
-  // The sectors inside come last: where there is not room for all, those on constrained edges go first.
+  // Moves what sectors have above their upper bounds to sectors with room. The sectors on constrained edges come first,
+  // so that they get the room if there is too little for all.
   void take_what_is_too_much()
   {
     for(const bool are_inside : { false, true })
@@ -118,7 +123,8 @@ private:
             return; // no sector has room
   }
 
-  // Returns false if no sector can give.
+  // Moves indices to the sectors below their lower bounds. Returns false if something is missing but no sector can
+  // give.
   bool add_what_is_missing()
   {
     for(int node = 0; node < m_graph.number_of_nodes(); ++node)
@@ -128,8 +134,8 @@ private:
     return true;
   }
 
-  // All sectors inside are at their lower bounds. What is still missing is shared evenly: none goes down once more than
-  // another one.
+  // Lowers the lower bounds of all sectors inside by the same number, so that they share evenly in what is missing. All
+  // must be at their lower bounds. Returns false if there is no sector inside.
   bool lower_bounds_inside()
   {
     int number_inside = 0, missing = 0;
@@ -181,7 +187,8 @@ inline std::vector<int> index_in_patch(const Patch& patch, const std::vector<int
   return std::vector<int>(index.begin() + patch.sectors.begin_index, index.begin() + patch.sectors.end_index);
 }
 
-// How far the indices of the patch are from natural ones, in quarters.
+// The sum over the sectors of how far 4 I is from natural: from the natural index on constrained edges, above the
+// largest meshable index inside.
 inline long long quarters_to_move(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index)
 {
   long long sum = 0;
@@ -193,6 +200,7 @@ inline long long quarters_to_move(const Cut_surface& surface, const Patch& patch
   return sum;
 }
 
+// Whether any sector of the patch is unmeshable.
 inline bool has_unmeshable_sector(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index)
 {
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
@@ -202,14 +210,15 @@ inline bool has_unmeshable_sector(const Cut_surface& surface, const Patch& patch
 }
 
 // Brings each sector on constrained edges of the patch to its natural index and each one inside to one that can be
-// meshed, and keeps the indices up to date. Returns the sectors whose index changed.
+// meshed, and keeps the indices up to date. Returns the sectors whose index changed. A patch that needs more than
+// `largest_index_target` moves and 8 for each sector is left as it is.
 inline std::vector<Repaired_sector> repair_patch(const Cut_surface& surface, const Patch& patch,
                                                  const std::vector<double>& omega, const std::vector<double>& alpha,
                                                  std::vector<int>& matching, std::vector<int>& index)
 {
   const long long number_of_moves = quarters_to_move(surface, patch, index);
-  // Angles and rounding ask for a few in each sector. More come from a rotation that the caller prescribed, and would
-  // take for ever.
+  // Angles and rounding ask for a few moves in each sector. Many more come only from a rotation that the caller
+  // prescribed, and each takes a search: the repair would not end in reasonable time.
   if(number_of_moves == 0 || number_of_moves > largest_index_target + 8LL * patch.sectors.size())
     return {};
 

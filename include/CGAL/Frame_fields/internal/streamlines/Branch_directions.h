@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The four branches of each face as unit vectors of its chart, and how they go on in the next face. A field in the form
-// that streamlines are traced in.
+// The four branches of each face as unit vectors of its chart, and how they continue in the neighboring faces: a field
+// in the form that is used to trace streamlines.
 class Branch_directions
 {
 public:
@@ -59,7 +59,8 @@ public:
     return branch < 2 ? v : -v;
   }
 
-  // The branch that `branch` of the face of a halfedge goes on as on its other side.
+  // The branch (0 to 3) of the face on the other side of a halfedge that continues `branch` of the halfedge's face. The
+  // halfedge must not be constrained.
   int branch_across(const int halfedge, const int branch) const { return (branch + m_matching[halfedge]) % 4; }
 
   // Whether streamlines end in a sector: it is singular or on a constrained edge.
@@ -69,7 +70,8 @@ public:
   int pair_label(const int face, const int branch) const { return (branch + m_swaps_pairs[face]) % 2; }
 
 private:
-  // In a sector that is not on a constrained edge, the angles of the frames drop out of the index.
+  // The index of a sector that is not on a constrained edge follows from the matching alone: the angles of the frames
+  // cancel out.
   void find_ends(const Cut_surface& surface, const std::vector<int>& matching)
   {
     std::vector<double> turning(surface.number_of_sectors(), 0);
@@ -85,7 +87,7 @@ private:
   }
 
   // Calls `visit(h)` for the halfedges by which a breadth-first search from the faces of `queue` gets to the faces of
-  // their patches that are not reached yet. Returns the last of all these faces.
+  // their patches that are not reached yet. Returns the face that it reaches last. `queue` must not be empty.
   template <typename Visit>
   static int search(const Cut_surface& surface, std::vector<int> queue, std::vector<bool>& is_reached,
                     const Visit& visit)
@@ -103,8 +105,8 @@ private:
     return queue.back();
   }
 
-  // The seams where labels change run away from the first face. It is one in the middle of the patch, so that seams are
-  // between singularities and the constrained edges, which are mostly near to each other.
+  // Labels spread from a first face, and the seams where they change run away from it. The first face is farthest from
+  // the constrained edges, so that seams run from singularities to the constrained edges, mostly a short way.
   void label_pairs(const Cut_surface& surface)
   {
     m_swaps_pairs.assign(surface.number_of_faces(), 0);

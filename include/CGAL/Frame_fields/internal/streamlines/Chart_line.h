@@ -35,8 +35,8 @@ struct Length_interval
   bool contains(const double s) const { return begin <= s && s <= end; }
 };
 
-// A piece of a streamline, or a line beside it, in the chart of its face. In a face that is large against the distances
-// of streamlines, it answers for all points of the line at once what else each of many points would have to ask.
+// A piece of a streamline, or a line parallel to it, in the chart of its face. In a face that is large compared to the
+// distances of streamlines, it answers for all points of the line at once what otherwise each of many points would ask.
 class Chart_line
 {
 public:
@@ -56,7 +56,8 @@ public:
     return std::abs(cross(m_axis, m_end - m_from)) <= tolerance && dot(m_direction, m_end - m_from) > 0;
   }
 
-  // Where the line is in its face, and at least at a distance of `margin(h)` from each side h.
+  // The part of the line that is on the inner side of each side h of its face, at least at a distance of `margin(h)`. A
+  // negative margin lets it be outside by as much.
   template <typename Margin>
   Length_interval inside(const Margin& margin) const
   {
@@ -75,7 +76,8 @@ public:
     return result;
   }
 
-  // Where a part of a line in the same face that is of interest is nearer than `distance`.
+  // The intervals of the line that may be nearer than `distance` to the parts of interest in the same face, one for
+  // each such part. They are not sorted, may overlap, and may reach beyond the ends of the line.
   template <typename IsOfInterest>
   std::vector<Length_interval> near_parts(const Streamline_distances& distances, const double distance,
                                           const IsOfInterest& is_of_interest) const

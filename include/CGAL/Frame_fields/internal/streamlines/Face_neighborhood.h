@@ -31,8 +31,8 @@ struct Chart_point
   Plane_vector place;
 };
 
-// The faces of a patch around a point, laid flat one after the other, as far as constrained edges. The matching carries
-// the branch along.
+// Visits the faces of a patch around a point in breadth-first order without crossing constrained edges. Each face is
+// laid into the plane next to the one from which it is reached; the matching carries the branch along.
 class Face_neighborhood
 {
 public:
@@ -41,7 +41,8 @@ public:
     , m_last_walk(patch.faces.size(), 0)
   {}
 
-  // Calls `visit(p)`, with the point as each face sees it, for the faces within the distance, until it returns false.
+  // Calls `visit(p)` for the faces within the distance (in units of the charts), with the point and the branch as each
+  // face sees them, until it returns false.
   template <typename Visit>
   void walk(const Chart_point& point, const double distance, const Visit& visit)
   {

@@ -29,14 +29,16 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A place on a streamline: its number and the length traced up to there, negative against the direction it began in.
+// A place on a streamline: the number of the line, and the length traced from the seed to there. The length is negative
+// where the line was traced against the branch of its seed.
 struct Streamline_place
 {
   int line;
   double arc;
 };
 
-// Of a piece of a streamline: from `begin` to `end` along branch 0 or 1, at `offset` to its left.
+// A part of a piece of a streamline in the chart of its face: from `begin` to `end` along the axis of branch 0 or 1, at
+// `offset` to the left of this axis.
 struct Streamline_part
 {
   double offset, begin, end, arc_at_begin, arc_at_end;
@@ -44,7 +46,8 @@ struct Streamline_part
 };
 
 // The streamlines of a patch, for questions of what is near. Pieces of one branch pair in one face are parallel, so
-// they are sorted by their offsets across it.
+// they are sorted by their offsets. To add a piece takes time linear in the number of parts of its face and branch
+// pair.
 class Streamline_distances
 {
 public:
@@ -147,7 +150,8 @@ private:
     return false;
   }
 
-  // Without this, a line that comes back to its start would stop before it.
+  // Whether a point lies beside a part of its own line and the lengths traced up to both differ by more than three
+  // distances. If the ends of parts counted, a line that comes back to its start would stop before it closes.
   static bool is_beside_earlier_part(const Part& part, const double along, const double distance, const double arc)
   {
     if(!(part.begin < along && along < part.end))

@@ -58,7 +58,8 @@ public:
   }
 
 private:
-  // No more pieces are in a line whose passages through a face are apart from one another.
+  // A bound on the number of pieces of a line. A line whose passages through a face keep their distance has no more. If
+  // lines do not stop, the spacing takes the place of this distance, and the bound is a budget.
   std::size_t piece_bound(const Patch& patch) const
   {
     const double apart = m_options.least_distance > 0 ? m_options.least_distance : m_options.spacing;
@@ -111,13 +112,14 @@ private:
     return true;
   }
 
-  // Where in a piece samples are needed: not in its free interval, but for the intervals in which a line is near.
+  // Where in a piece samples are needed: outside its free interval, and within it in the intervals in which a line may
+  // be near.
   struct Piece_to_sample
   {
     Length_interval free{ 1, 0 };
     std::vector<Length_interval> near;
 
-    // The length up to which no sample can be too near to a line; `from` if there it might.
+    // The length up to which no sample can be too near to a line; `from` if a sample at `from` might be.
     double free_until(const double from) const
     {
       if(!free.contains(from))
@@ -160,8 +162,8 @@ private:
     return result;
   }
 
-  // Samples the last piece, which begins at the length `start`. Cuts the line at the last sample that was good and
-  // returns false if a sample is too near to a line.
+  // Samples the last piece, which begins at the length `start`, four times per least distance. If a sample is too near
+  // to a line, cuts the growing line at the sample before it and returns false.
   bool keep_distance(Growing_streamline& growing, const double start, const int line, const double sign)
   {
     if(m_options.least_distance == 0)
@@ -188,7 +190,7 @@ private:
     return true;
   }
 
-  // Makes the pieces that end before a length known to `m_distances`.
+  // Adds the pieces that end at `length` or before to `m_distances`. They must not be cut off later.
   void settle(Growing_streamline& growing, const double length, const int line, const double sign)
   {
     for(std::size_t& i = growing.number_of_settled_pieces;

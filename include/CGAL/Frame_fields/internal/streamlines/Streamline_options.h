@@ -36,14 +36,17 @@ struct Streamline_options
   double maximum_length;
 };
 
-// The parameters are in the unit of the mesh.
+// Checks the parameters and sets the options from them. `spacing` and `maximum_length` are in the unit of the mesh,
+// `separation` is a part of the spacing. The default spacing is a 50th of the square root of the area, but at least a
+// thousandth of the longest edge.
 inline Result set_streamline_options(const Face_charts& charts, const std::optional<double>& spacing,
                                      const double separation,
                                      const double maximum_length, Streamline_options& options)
 {
   const double largest_number_of_squares = 1e9;
   const double total_area = charts.total_area();
-  // In units of the longest edge: what has hardly any area would have too many lines end on an edge.
+  // In units of the longest edge. The first bound is for surfaces of hardly any area: without it too many lines could
+  // end on one edge.
   const double smallest_spacing = (std::max)(1e-6, std::sqrt(total_area / largest_number_of_squares));
 
   options.spacing = spacing ? *spacing / charts.unit() : (std::max)(1e-3, std::sqrt(total_area) / 50);

@@ -43,7 +43,9 @@ public:
   // Lines begin at least at this distance from others.
   double nearest_seed() const { return 0.9 * m_options.spacing; }
 
-  // Moves a seed straight on over the faces, but not across constrained edges, nor through vertices.
+  // Moves a seed by `distance` along a straight line over the faces; where this line would meet a vertex, it passes
+  // beside it. `direction` is a unit vector in the chart of the seed's face. Returns false, with the seed somewhere on
+  // the way, if the line meets a constrained edge or crosses too many faces.
   bool go_straight(Streamline_seed& seed, Plane_vector direction, double distance) const
   {
     const double margin = 1e-6;
@@ -70,7 +72,8 @@ public:
     return false;
   }
 
-  // A seed on an edge or a vertex, moved on along its line to where the tracer will pass when the line comes back.
+  // The seed itself, or if it is on an edge or a vertex, a point inside a face farther along its line. A line that
+  // closes passes through such a point, but may miss one on an edge.
   Streamline_seed moved_off_edges(const Streamline_seed& seed) const
   {
     const double tolerance = 1e-6;
@@ -83,8 +86,9 @@ public:
     return { piece.face, piece.branch, between(piece.from, piece.to, 0.5) };
   }
 
-  // The length along a piece up to which no line can begin beside it, since one in the same face is too near; `from` if
-  // there it might. In a large face this saves a try at every spacing.
+  // The length along a piece up to which no line can begin beside it on the given side (1 left, -1 right), since a line
+  // in the same face is too near; `from` if a line might begin beside `from`. In a large face this saves a try at every
+  // spacing.
   double taken_until(const Streamline_piece& piece, const double from, const double side) const
   {
     if(piece.length - from < 2 * m_options.spacing)
@@ -92,7 +96,7 @@ public:
     const Chart_line line(m_charts, m_directions, piece, side * m_options.spacing);
     if(!line.is_along_branch(relative_streamline_tolerance * m_options.spacing))
       return from;
-    // Nearer to a side, a seed is on an edge for moved_off_edges().
+    // A seed that is nearer to a side counts as one on an edge in moved_off_edges().
     const auto margin = [&](const int h) { return 4e-6 * m_charts.area(piece.face) / m_charts.length(h); };
     const Length_interval inside = line.inside(margin);
     double result = from;

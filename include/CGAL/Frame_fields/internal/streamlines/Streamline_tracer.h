@@ -34,7 +34,7 @@ struct Streamline_piece
   double length;
 };
 
-// Where a streamline is in a face and on which branch, and how it got there, from which follows how it goes on.
+// Where a streamline is in a face, on which branch, and how it got there, which decides how it goes on.
 struct Streamline_head
 {
   enum Kind { END, INSIDE, ON_HALFEDGE, AT_CORNER, TOWARDS_CORNER };
@@ -55,7 +55,8 @@ public:
     : m_charts(charts), m_surface(charts.surface()), m_directions(directions)
   {}
 
-  // Sets the piece that follows and moves the head to its end.
+  // Sets the piece that follows and moves the head to its end. The head must not be of kind END. The length of a piece,
+  // in units of the charts, may be 0.
   void advance(Streamline_head& head, Streamline_piece& piece) const
   {
     piece.face = head.face;
@@ -107,8 +108,8 @@ private:
     return slide_along(exit, branch, direction, direction_there);
   }
 
-  // The field on the other side points back to the halfedge. Of all mixtures of the two directions one is along the
-  // halfedge.
+  // The field on the other side points back to the halfedge. The line slides along the halfedge, in the direction of
+  // the one convex combination of both branches that is parallel to it. It ends if this combination is 0.
   Streamline_head slide_along(const Ray_exit& exit, const int branch, const Plane_vector& direction,
                               const Plane_vector& direction_there) const
   {
@@ -138,8 +139,9 @@ private:
     return (std::min)(m_surface.angle[corner], (std::max)(0., angle));
   }
 
-  // Turns once around the vertex and takes the way on that is nearest to halving the angle around it. A way on is a
-  // branch that points into its face, or an edge that the branches on both sides point to.
+  // Turns once around the vertex and takes the way on that comes nearest to halving the total angle around it. A way on
+  // is a branch that points into its face, or an edge to which the branches on both sides point. The line ends at a
+  // sector where `is_end()`.
   Streamline_head go_on_from_vertex(const int first_corner, int branch, const double back_angle) const
   {
     const int sector = m_surface.sector[first_corner];

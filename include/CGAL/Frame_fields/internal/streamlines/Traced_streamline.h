@@ -48,7 +48,7 @@ inline Streamline_head head_at(const Streamline_seed& seed)
   return { Streamline_head::INSIDE, -1, seed.face, seed.branch, seed.weights };
 }
 
-// Far more than rounding errors, far less than what is seen.
+// A part of the spacing that is far more than rounding errors and far less than the eye can see.
 constexpr double relative_streamline_tolerance = 1e-6;
 
 inline Streamline_piece reversed(const Streamline_piece& piece)
@@ -56,6 +56,7 @@ inline Streamline_piece reversed(const Streamline_piece& piece)
   return { piece.face, (piece.branch + 2) % 4, piece.to, piece.from, piece.length };
 }
 
+// The part of a piece up to `length` from its start; all of it if that is longer. The piece must not have length 0.
 inline Streamline_piece first_part(const Streamline_piece& piece, const double length)
 {
   const double t = (std::min)(1., length / piece.length);

@@ -37,9 +37,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Fills a patch with streamlines at a given spacing. The field is aligned with the constrained edges, so these are its
-// first lines. New lines begin beside those that there are, as in Jobard and Lefer, Creating evenly-spaced streamlines
-// of arbitrary density, 1997, and at last in the faces that no line is near to.
+// Fills a patch with streamlines at a given spacing. The field is aligned with the constrained edges, so these are the
+// first lines. New lines begin beside existing ones, as in Jobard and Lefer, Creating evenly-spaced streamlines of
+// arbitrary density, 1997, and finally in the faces that have no line near.
 class Evenly_spaced_streamlines
 {
 public:
@@ -86,7 +86,7 @@ private:
     return true;
   }
 
-  // The constrained edges that a branch is along, the longest ones first.
+  // The constrained edges with a branch along them, the longest ones first.
   std::vector<Streamline_piece> aligned_constrained_edges() const
   {
     const double tolerance = 1e-6;
@@ -149,7 +149,7 @@ private:
     }
   }
 
-  // Tries to begin lines on both sides of a line, at points of it as far from one another as lines shall be.
+  // Tries to begin lines on both sides of a line, at points of it that are one spacing apart.
   void begin_lines_beside(const std::vector<Streamline_piece>& pieces)
   {
     const double length = std::accumulate(pieces.begin(), pieces.end(), 0., [](const double sum, const auto& piece)

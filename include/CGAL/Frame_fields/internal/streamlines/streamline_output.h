@@ -39,7 +39,7 @@ Coordinates point_in_face(const Cut_mesh<TriangleMesh>& cut_mesh, const int face
   return result;
 }
 
-// The label that most of the line has.
+// The label of the branch pairs (0 or 1) that the larger part of the length of the line has.
 inline int branch_pair(const Branch_directions& directions, const Traced_streamline& traced)
 {
   double excess_of_ones = 0;
@@ -48,6 +48,7 @@ inline int branch_pair(const Branch_directions& directions, const Traced_streaml
   return excess_of_ones > 0 ? 1 : 0;
 }
 
+// The streamline for the caller: n pieces give n + 1 points, n faces and n branches. There must be a piece.
 template <typename GeomTraits, typename TriangleMesh>
 Streamline<typename GeomTraits::Point_3, typename boost::graph_traits<TriangleMesh>::face_descriptor>
 to_streamline(const Cut_mesh<TriangleMesh>& cut_mesh, const Branch_directions& directions,
