@@ -106,9 +106,9 @@ int sort_and_merge_column(int* const row, Scalar* const value, const int size)
 }
 
 // Assembles a hermitian matrix with `size` columns. `emit(sink)` is called twice and must call `sink(i, j, a_ij)` for
-// the same positions in the same order both times. An entry off the diagonal is given for (i, j) or for (j, i), not for
-// both. Values given for the same position, or for its mirror image, add up. Every column gets a diagonal entry, 0 if
-// none is given. The number of calls plus `size` must fit into `int`. Takes O(n log n) time for n calls.
+// the same positions both times. Each contribution to an entry off the diagonal is given once, for (i, j) or for (j,
+// i), and stands for both. Contributions to the same entry add up. Every column gets a diagonal entry, 0 if none is
+// given. The number of calls plus `size` must fit into `int`. Takes O(n log n) time for n calls.
 template <typename Scalar, typename Emit>
 Hermitian_matrix<Scalar> assemble(const int size, const Emit& emit)
 {

@@ -73,7 +73,8 @@ struct Sector_share
 
 // The part of a patch within a geodesic distance of a sharp corner, and the areas that the sectors have in it. Of a
 // triangle that its rim cuts, only the part inside counts, so that shares do not jump when the mesh changes a little.
-// A corner is given by its sector; radii are in units of `length_unit`. The cost grows with the sectors inside only.
+// A corner is given by its sector; radii are in units of `length_unit`. Visits no
+// sector beyond twice the radius.
 class Geodesic_ball
 {
 public:
