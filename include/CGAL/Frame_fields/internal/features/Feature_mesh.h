@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A mesh whose features are looked for.
+// A mesh whose features are looked for. The mesh must outlive it.
 template <typename TriangleMesh, typename NamedParameters>
 class Feature_mesh : private Mesh_reader<const TriangleMesh, NamedParameters>
 {
@@ -50,7 +50,9 @@ public:
     , m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
   {}
 
-  // Reads vertices, edges and faces; the features are the border edges. Coordinates of isolated vertices are no matter.
+  // Reads vertices, edges and faces into empty arrays; the border edges become features. Returns an error that names
+  // the first face that is not a triangle or the first vertex of a face that is not finite; isolated vertices may have
+  // any coordinates. Must be called only once. Takes linear time.
   Result read(Feature_graph& graph, Feature_faces& feature_faces)
   {
     read_vertices(graph);
@@ -67,8 +69,8 @@ public:
     return read_faces(graph, feature_faces);
   }
 
-  // The angles between the normals of the two faces at the edges in degrees; 0 at border edges. `normal_face` is the
-  // one whose normal stands for each face.
+  // The angle in degrees between the normals of the two faces at each edge; 0 at border edges and at faces without a
+  // normal. `normal_face` gives for each face the face whose normal it takes, as `Flat_faces` finds it.
   std::vector<double> dihedral_angles(const Feature_graph& graph, const Feature_faces& feature_faces,
                                       const std::vector<int>& normal_face) const
   {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The numbers among the named parameters of the detection; `check()` tells their ranges.
+// The named parameters of the detection of features; `check()` below has their ranges.
 struct Feature_options
 {
   double strong_angle, weak_angle; // degrees
@@ -46,6 +46,7 @@ Feature_options feature_options_from(const NamedParameters& np)
   return options;
 }
 
+// Returns an error that names the first option out of its range, or success.
 inline Result check(const Feature_options& options)
 {
   if(!(options.strong_angle >= 0 && options.strong_angle <= 180))

@@ -41,7 +41,7 @@ struct Feature_graph
   int other_end(const int edge, const int vertex) const { return ends[edge][ends[edge][0] == vertex]; }
 };
 
-// The edges around the vertices that have a property.
+// For each vertex, the edges at it that have a property. Takes linear time; the graph may change afterwards.
 class Edges_around_vertices
 {
 public:
@@ -79,8 +79,8 @@ inline Edges_around_vertices features_around_vertices(const Feature_graph& graph
   return Edges_around_vertices(graph, [&](const int e) { return graph.is_feature[e]; });
 }
 
-// Marks the edges of at least the strong angle, and those of at least the weak angle that are connected with them by
-// such edges.
+// Marks the edges of at least the strong angle, and those of at least the weak angle that a path of such edges connects
+// with them. All angles are in the same unit. Takes linear time.
 inline void mark_with_hysteresis(Feature_graph& graph, const std::vector<double>& angle, const double strong_angle,
                                  const double weak_angle)
 {
@@ -106,6 +106,7 @@ inline void mark_with_hysteresis(Feature_graph& graph, const std::vector<double>
 }
 
 // Marks the edges that join two dangling ends and turn by less than a right angle at both, the straightest ones first.
+// An end is joined once at most. Takes O(n log n) time.
 inline void join_dangling_ends(Feature_graph& graph)
 {
   const Edges_around_vertices features = features_around_vertices(graph);
@@ -138,11 +139,11 @@ inline void join_dangling_ends(Feature_graph& graph)
   }
 }
 
-// Features one after another, up to a vertex where not just two of them meet.
+// A path of feature edges whose inner vertices have just two features, or a closed one.
 struct Feature_chain
 {
   double length = 0;
-  int first_vertex, last_vertex; // the same if it is closed
+  int first_vertex, last_vertex; // equal if it is closed
   std::vector<int> edges;
 
   bool operator<(const Feature_chain& other) const
@@ -151,7 +152,8 @@ struct Feature_chain
   }
 };
 
-// The chain that starts with an edge at a vertex.
+// The chain that starts with an edge at a vertex. It ends at a vertex that does not have just two features, or at its
+// start.
 inline Feature_chain follow_chain(const Feature_graph& graph, const Edges_around_vertices& features, const int vertex,
                                   const int first_edge)
 {
@@ -169,7 +171,7 @@ inline Feature_chain follow_chain(const Feature_graph& graph, const Edges_around
   }
 }
 
-// The chains with a dangling end, and the closed ones that meet no other, as far as they are shorter than a length.
+// The chains shorter than a length that have a dangling end, or are closed, meet no other and are not a border.
 inline std::set<Feature_chain> removable_chains(const Feature_graph& graph, const double minimum_length)
 {
   const Edges_around_vertices features = features_around_vertices(graph);
@@ -197,7 +199,9 @@ inline std::set<Feature_chain> removable_chains(const Feature_graph& graph, cons
   return result;
 }
 
-// Removes short chains, the shortest first; chains that have become one by that are measured anew.
+// Removes the chains that `removable_chains()` finds, the shortest first, until none is left. Removals can merge the
+// chains that remain, which are then measured anew. In each round, which takes O(n log n) time, one chain is removed at
+// a vertex, so that the number of rounds can be that of the short chains at one vertex.
 inline void remove_short_chains(Feature_graph& graph, const double minimum_length)
 {
   for(std::set<Feature_chain> chains = removable_chains(graph, minimum_length); !chains.empty();

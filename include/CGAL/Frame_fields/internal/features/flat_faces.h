@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The faces of a mesh whose features are looked for: edge k of a face runs from its vertex k to the next one.
+// The faces of a mesh whose features are looked for, as numbers of their vertices and edges. Edge k of a face runs from
+// its vertex k to the next one.
 struct Feature_faces
 {
   std::vector<std::array<int, 3> > vertices, edges;
@@ -38,12 +39,13 @@ struct Feature_faces
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
-// How far off a coordinate may be.
+// How far off the coordinates of a face may be, in units of the mesh.
 class Coordinate_error
 {
 public:
-  // If none is given, a mesh is known to one part of its size in 2^24, as in files that hold `float`, and where all
-  // coordinates are such numbers, each of them is rounded to one.
+  // If no error is given, it is at least the largest extent of the mesh over 2^24, as in files that hold `float`. If
+  // all coordinates are such numbers, it is also at least the rounding error of a `float` of their size, otherwise that
+  // of a `double`.
   Coordinate_error(const Feature_graph& graph, const Feature_faces& faces, const std::optional<double>& given)
     : m_least(given.value_or(0))
   {
@@ -70,6 +72,7 @@ public:
       m_relative = float_rounding;
   }
 
+  // The error of the coordinates of a face with these vertices.
   double operator()(const Coordinates& p, const Coordinates& q, const Coordinates& r) const
   {
     const double largest = (std::max)({ maximum_norm(p), maximum_norm(q), maximum_norm(r) });
@@ -85,7 +88,7 @@ private:
   double m_least, m_relative = 0x1p-53; // m_relative of a power of two is half of the distance to the next number
 };
 
-// The height of a triangle over its longest side.
+// The height of a triangle over its longest side; 0 if it has no area.
 inline double smallest_height(const Coordinates& p, const Coordinates& q, const Coordinates& r)
 {
   const double pq = distance(p, q), qr = distance(q, r), rp = distance(r, p);
@@ -100,10 +103,10 @@ inline double smallest_height(const Coordinates& p, const Coordinates& q, const 
   return distance(*order[0], *order[2]) * (length(cross(base, side)) / (length(base) * length(side)));
 }
 
-// The height up to which a face has no normal of its own, in errors of a coordinate. If they are evenly distributed,
-// a vertex is off the plane of the others by 0.7 of them, as a standard deviation. That turns the normal of a face of
-// this height by 9 degrees. With more, faces of real models that have a normal lose it; with less, needles beside a
-// fine hole become features.
+// The height up to which a face has no normal of its own, in units of the error of a coordinate. If the errors are
+// evenly distributed, the apex of a face is off its plane by a standard deviation of 0.7 of them, which turns the
+// normal of a face of this height by 9 degrees. With a larger height, faces of real models that have a normal lose it;
+// with a smaller one, needles beside a fine hole become features.
 constexpr double flat_height_in_errors = 4.5;
 
 // A vector along the normal of a triangle, zero if it has no area.
@@ -112,7 +115,8 @@ inline Coordinates normal(const Coordinates& p, const Coordinates& q, const Coor
   return cross(scaled_direction(p, q), scaled_direction(q, r));
 }
 
-// Finds the faces that are too flat to have a normal and gives them that of a face they lie along.
+// Finds the faces that are too flat to have a normal of their own, and gives each the normal of a face that it lies
+// along. The graph, the faces and the error must outlive it.
 class Flat_faces
 {
 public:
@@ -121,9 +125,9 @@ public:
     , m_faces_at(graph.ends.size(), { -1, -1 })
   {}
 
-  // For each face the one whose normal stands for it. A flat face takes that of its neighbor across the longest edge
-  // by which any of them is reached, but only across edges that it lies along. Where no other normal is known, a face
-  // keeps its own.
+  // For each face, the face whose normal it takes. Normals spread from the other faces to the flat ones, always across
+  // the longest edge to which they have come, and only across edges that the flat face lies along. A face that is not
+  // reached keeps its own normal. Must be called only once. Takes O(n log n) time.
   std::vector<int> faces_with_normals()
   {
     for(int f = 0; f < m_faces.size(); ++f)
@@ -165,7 +169,7 @@ private:
     return flat_height_in_errors * m_error(point(f, 0), point(f, 1), point(f, 2));
   }
 
-  // Whether the height of a face over one of its edges is too small for a normal.
+  // Whether the height of a face over one of its edges is at most the flat height.
   bool lies_along(const int f, const int edge) const
   {
     const std::array<int, 3>& e = m_faces.edges[f];
@@ -173,6 +177,7 @@ private:
     return height(f) * longest <= flat_height(f) * m_graph.length[edge];
   }
 
+  // Enters the edges of a face with a normal across which a flat face can take it.
   void advance(const int from)
   {
     for(const int e : m_faces.edges[from])

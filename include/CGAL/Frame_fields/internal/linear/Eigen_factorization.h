@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A solver by one of Eigen's factorizations, of the lower triangle and in the order of the unknowns' numbers.
+// A solver by one of Eigen's factorizations, which must read the lower triangle and keep the order of the unknowns.
 template <typename Scalar_, typename Factorization_>
 class Eigen_factorization
 {
@@ -36,6 +36,7 @@ public:
 
   Eigen_factorization() : m_factorization(std::make_unique<Factorization>()) {}
 
+  // Returns whether the factorization succeeded.
   bool factor(const Hermitian_matrix<Scalar>& matrix)
   {
     typedef typename Factorization::MatrixType Matrix;
@@ -44,6 +45,7 @@ public:
     return m_factorization->info() == Eigen::Success;
   }
 
+  // Solves for the matrix of the last successful `factor()`. Returns whether Eigen reports success.
   bool solve(const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution) const
   {
     solution.resize(right_hand_side.size());
@@ -64,7 +66,8 @@ private:
   std::unique_ptr<Factorization> m_factorization; // Eigen's class cannot be moved
 };
 
-// A solver traits class of such solvers, which share nothing, with an approximate minimum degree order.
+// A solver traits class of such solvers, which share no state. The elimination order is that of approximate minimum
+// degree.
 template <template <typename> class Solver>
 struct Eigen_solver_traits_base
 {

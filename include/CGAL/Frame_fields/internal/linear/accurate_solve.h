@@ -26,21 +26,24 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Every row of a solved system holds to this fraction of the terms in it. Direct solvers leave about 1e-15.
+// The residual of a row of a solved system is at most this fraction of the terms in the row. Direct solvers leave about
+// 1e-15.
 constexpr double largest_row_error = 1e-12;
 
-// Terms below this in systems of complex values have lost digits to the end of the range of `double`.
+// Terms below this in systems of complex values may have lost digits, as they are near the smallest normal `double`.
 constexpr double smallest_complex_term = 1e-290;
 
-// An absolute value within a factor of the square root of 2, without a root.
+// The absolute value, or for complex numbers an upper bound within a factor of sqrt(2) that needs no root.
 inline double magnitude(const double x) { return std::abs(x); }
 inline double magnitude(const std::complex<double>& x) { return std::abs(x.real()) + std::abs(x.imag()); }
 
-// What a row of a system with unknowns in radians, or with values of any size, may ignore: terms of this size.
+// What is added to the magnitude of an unknown in the diagonal term of its row: its size where an error relative to it
+// does not matter. Real unknowns are taken for values of about 1, as angles in radians are; complex ones may have any
+// size.
 inline double negligible_term(const double) { return 1; }
 inline double negligible_term(const std::complex<double>&) { return smallest_complex_term; }
 
-// The residuals of the rows that do not hold, 0 for the rows that do.
+// The residuals of the rows that exceed `largest_row_error`, 0 for the others, and the largest magnitude of them.
 template <typename Scalar>
 struct Row_errors
 {
@@ -79,11 +82,12 @@ struct Row_errors
   double largest = 0;
 };
 
-// Solves a system whose matrix is factored such that the error of every row is small against the terms of the row. The
+// Solves a system, with a solver that has factored its matrix, such that every row holds to `largest_row_error`. The
 // solution of a connected system may fall by many powers of ten from one place to the next; its small values are then
-// as accurate as the large ones. A direct solver does that in one go. The errors of an iterative one are small against
-// the largest values only; it is asked again for the residuals of the rows that do not hold. Rows that hold are left
-// out, or their rounding errors would drown the others. Returns `false` if that takes too many steps.
+// as accurate as the large ones. A direct solver does that in one step. The errors of an iterative one are small
+// against the largest values only; it must solve again for the residuals of the rows that do not hold. Rows that hold
+// are left out, as their rounding errors would drown the others. Returns `false` if the solver fails, a solution is not
+// finite, or 100 steps are not enough.
 template <typename Solver, typename Scalar>
 bool accurate_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix, const std::vector<Scalar>& right_hand_side,
                     std::vector<Scalar>& solution)
@@ -107,7 +111,8 @@ bool accurate_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix, cons
   return false;
 }
 
-// Factors the matrix and solves as `accurate_solve()` does; a system without unknowns has the empty solution.
+// Factors the matrix and solves as `accurate_solve()` does; a system without unknowns has the empty solution. Returns
+// `false` if one of the two fails.
 template <typename Solver, typename Scalar>
 bool factor_and_solve(Solver& solver, const Hermitian_matrix<Scalar>& matrix,
                       const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)

@@ -37,7 +37,7 @@ struct Entry_counter
   }
 };
 
-// Puts each entry at the next free place of its column.
+// Puts each entry at the next free place of its column of the lower triangle, and adds those of the diagonal up.
 template <typename Scalar>
 struct Entry_writer
 {
@@ -57,7 +57,8 @@ struct Entry_writer
   }
 };
 
-// Sorts a column by rows, and keeps entries of equal rows in their order.
+// Sorts a column by rows, and keeps entries of equal rows in their order, so that their sum does not depend on the
+// sort.
 template <typename Scalar>
 void sort_column(int* const row, Scalar* const value, const int size)
 {
@@ -104,8 +105,10 @@ int sort_and_merge_column(int* const row, Scalar* const value, const int size)
   return kept;
 }
 
-// `emit(sink)` is called twice and must call `sink(i, j, a_ij)` for the same positions both times. Each entry off the
-// diagonal is given once, for (i, j) or for (j, i). Values given for the same position add up.
+// Assembles a hermitian matrix with `size` columns. `emit(sink)` is called twice and must call `sink(i, j, a_ij)` for
+// the same positions both times. Each contribution to an entry off the diagonal is given once, for (i, j) or for (j,
+// i), and stands for both. Contributions to the same entry add up. Every column gets a diagonal entry, 0 if none is
+// given. The number of calls plus `size` must fit into `int`. Takes O(n log n) time for n calls.
 template <typename Scalar, typename Emit>
 Hermitian_matrix<Scalar> assemble(const int size, const Emit& emit)
 {

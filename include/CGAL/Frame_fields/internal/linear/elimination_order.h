@@ -35,6 +35,7 @@ struct Chooses_elimination_order<
   std::void_t<decltype(std::declval<const SolverTraits&>().elimination_order(
     std::declval<const Hermitian_matrix<float>&>()))> > : std::true_type {};
 
+// The numbers from 0 to `size` - 1 in increasing order.
 inline std::vector<int> natural_order(const int size)
 {
   std::vector<int> result(size);
@@ -42,8 +43,9 @@ inline std::vector<int> natural_order(const int size)
   return result;
 }
 
-// The numbers from 0 to `size` - 1 in the order in which unknowns should be eliminated, the natural one if the solvers
-// find their own. `emit(add)` must call `add(i, j, 1)` once or more for each two neighbors.
+// The numbers from 0 to `size` - 1 in the order in which unknowns should be eliminated; the natural order if the
+// solvers find their own. `emit(add)` must call `add(i, j, 1.f)` once or more for every two unknowns i != j with an
+// entry in the matrix.
 template <typename SolverTraits, typename Emit>
 std::vector<int> elimination_order(const int size, const Emit& emit, const SolverTraits& solver_traits)
 {
@@ -55,7 +57,8 @@ std::vector<int> elimination_order(const int size, const Emit& emit, const Solve
   return natural_order(size);
 }
 
-// The faces of a patch in the order in which a system with unknowns in its faces should number them.
+// The faces of a patch, by their numbers in the surface, in the order in which a system with an unknown in each face
+// should number these.
 template <typename SolverTraits>
 std::vector<int> elimination_order_of_faces(const Cut_surface& surface, const Patch& patch,
                                             const SolverTraits& solver_traits)

@@ -42,6 +42,7 @@ std::vector<Scalar> product(const Hermitian_matrix<Scalar>& matrix, const std::v
   return y;
 }
 
+// The Euclidean norm.
 template <typename Scalar>
 double norm(const std::vector<Scalar>& x)
 {
@@ -51,6 +52,7 @@ double norm(const std::vector<Scalar>& x)
   return std::sqrt(sum);
 }
 
+// Scales a vector, which must not be zero, to length 1.
 inline void normalize(std::vector<std::complex<double> >& x)
 {
   const double length = norm(x);
@@ -58,9 +60,11 @@ inline void normalize(std::vector<std::complex<double> >& x)
     x_i /= length;
 }
 
-// Inverse iteration for a positive semi-definite matrix, made definite by a shift that is small against the gaps
-// between its small eigenvalues. It stops when the residual is small against the eigenvalue, or after a fixed number of
-// steps, when what is left belongs to eigenvalues nearly as small.
+// Sets x to a unit eigenvector of the smallest eigenvalue of a positive semi-definite matrix, by inverse iteration from
+// `start`, which must not be zero. A shift that is small against the gaps between the small eigenvalues makes the
+// matrix definite; entries should be of about 1. The iteration stops when the residual is small against the eigenvalue,
+// or after 100 steps: what is left of other eigenvectors then belongs to eigenvalues nearly as small. Returns `false`
+// if the matrix cannot be factored or a system cannot be solved.
 template <typename Solver>
 bool smallest_eigenvector(Solver& solver, Hermitian_matrix<std::complex<double> > matrix,
                           const std::vector<std::complex<double> >& start, std::vector<std::complex<double> >& x)
@@ -81,7 +85,7 @@ bool smallest_eigenvector(Solver& solver, Hermitian_matrix<std::complex<double> 
     std::vector<std::complex<double> > y;
     if(!accurate_solve(solver, matrix, x, y))
       return false;
-    // matrix * y = x: with y scaled to unit length, the eigenvalue and the residual come without a product
+    // Since matrix * y = x, the Rayleigh quotient of y and its residual need no product with the matrix.
     const double length = norm(y);
     if(!(length > 0))
       return false;

@@ -24,7 +24,8 @@ namespace internal {
 inline bool is_finite(const double x) { return std::isfinite(x); }
 inline bool is_finite(const std::complex<double>& x) { return std::isfinite(x.real()) && std::isfinite(x.imag()); }
 
-// A solver may report success and still have met a pivot of rounding errors: the solution must be finite.
+// Solves and checks that the solution is finite, as a solver may report success although rounding errors made a pivot.
+// Returns whether both succeeded.
 template <typename Solver, typename Scalar>
 bool checked_solve(Solver& solver, const std::vector<Scalar>& right_hand_side, std::vector<Scalar>& solution)
 {

@@ -19,8 +19,9 @@
 
 namespace CGAL {
 
-// Later versions of CGAL have a named parameter `concurrency_tag` of their own. Where they do not, its name means a
-// type that no caller can give: a name found through a using directive gives way to a declaration.
+// Later versions of CGAL have a named parameter `concurrency_tag` of their own. In earlier ones, `concurrency_tag_t`
+// names the type below, which no caller can give. In later ones CGAL's declaration hides it, as a declaration hides a
+// name that is found through a using directive.
 namespace Frame_fields {
 namespace internal {
 namespace missing_in_cgal {
@@ -40,7 +41,7 @@ using namespace Frame_fields::internal::missing_in_cgal;
 namespace Frame_fields {
 namespace internal {
 
-// The tag given by the parameter of this package, or else by CGAL's.
+// The tag given by the parameter of this package, or else by CGAL's, or else `Sequential_tag`.
 template <typename NamedParameters>
 struct Given_concurrency
 {

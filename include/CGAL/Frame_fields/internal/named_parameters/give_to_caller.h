@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Gives a value to the object that the caller named by `std::ref()`; without such a named parameter it does nothing.
+// Assigns a value to the object that the caller passed by `std::ref()` as a named parameter; does nothing if that
+// parameter is not given.
 template <typename Value, typename Reference>
 void give_to_caller(const Value& value, const Reference reference)
 {

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The numbers among the named parameters; `check()` tells their ranges.
+// The options of the field among the named parameters; `check()` below has their ranges.
 struct Options
 {
   double sharp_corner_bound; // radians
@@ -47,7 +47,7 @@ struct Options
   std::optional<double> orthogonality_length; // in units of the mesh; by default, from the areas of the patches
   Edge_weighting edge_weighting;
   bool relax_orthogonality;
-  bool measures_lengths = false; // even if no stage needs them
+  bool measures_lengths = false; // even if no option needs them
 
   bool needs_lengths() const
   {
@@ -72,7 +72,7 @@ Options options_from(const NamedParameters& np)
            static_cast<bool>(choose_parameter(get_parameter(np, internal::relax_orthogonality), true)) };
 }
 
-// An error that names the first number out of its range, or success.
+// Returns an error that names the first option out of its range, or success.
 inline Result check(const Options& options)
 {
   if(!(std::isfinite(options.sharp_corner_bound) && options.sharp_corner_bound >= 0))
@@ -101,6 +101,7 @@ typedef Eigen_frame_field_solver_traits Default_solver_traits;
 typedef CGAL::Default Default_solver_traits;
 #endif
 
+// A solver traits class as it is; the type of a solver of CGAL or of the same interface wrapped into one.
 template <typename SolverTraits, typename = void>
 struct Solver_traits_selector
 {
@@ -115,6 +116,7 @@ struct Solver_traits_selector<SolverTraits, std::void_t<typename SolverTraits::R
   typedef SolverTraits type;
 };
 
+// The solver traits that the caller gave, or else those of Eigen.
 template <typename NamedParameters>
 struct Solver_traits_from
 {
@@ -130,7 +132,7 @@ struct Solver_traits_from
   }
 };
 
-// Solvers that share state must not run side by side.
+// The tag that the caller gave, but `Sequential_tag` for solvers that share state: these must not run at the same time.
 template <typename NamedParameters>
 struct Concurrency_from
 {

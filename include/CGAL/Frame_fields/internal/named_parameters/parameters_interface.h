@@ -9,7 +9,8 @@
 //
 // Author(s)     : The Frame_fields authors
 
-// List of the named parameters of this package. No include guard: it is read once per use of the macro.
+// The named parameters of this package: the type of each, its name in the code, and its name for callers. No include
+// guard: the list is included once for each definition of the macro.
 CGAL_add_named_parameter(sharp_corner_bound_t, sharp_corner_bound, sharp_corner_bound)
 CGAL_add_named_parameter(blunt_corner_bound_t, blunt_corner_bound, blunt_corner_bound)
 CGAL_add_named_parameter(support_strategy_t, support_strategy, support_strategy)

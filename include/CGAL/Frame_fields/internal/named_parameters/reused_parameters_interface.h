@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Frame_fields authors
 
-// List of the named parameters of CGAL that the functions of this package read. No include guard: it is read once per
-// use of the macro.
+// The named parameters of CGAL that the functions of this package read. No include guard: the list is included once for
+// each definition of the macro.
 CGAL_add_named_parameter(vertex_point_t, vertex_point, vertex_point_map)
 CGAL_add_named_parameter(geom_traits_t, geom_traits, geom_traits)
 CGAL_add_named_parameter(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)

@@ -76,8 +76,8 @@ inline double maximum_norm(const Coordinates& u)
   return (std::max)({ std::abs(u[0]), std::abs(u[1]), std::abs(u[2]) });
 }
 
-// Returns a vector along q - p whose largest coordinate lies in [1, 2), so that no later product overflows or
-// underflows, or zero if p and q are equal.
+// Returns a vector along q - p whose largest coordinate has an absolute value in [1, 2), so that products of such
+// vectors neither overflow nor lose their leading terms; zero if p and q are equal. The coordinates must be finite.
 inline Coordinates scaled_direction(const Coordinates& p, const Coordinates& q)
 {
   Coordinates d = q - p;
@@ -90,12 +90,13 @@ inline Coordinates scaled_direction(const Coordinates& p, const Coordinates& q)
   return { std::scalbn(d[0], -exponent), std::scalbn(d[1], -exponent), std::scalbn(d[2], -exponent) };
 }
 
+// The angle between two vectors in radians, from 0 to pi; 0 if one of them is zero.
 inline double angle_between(const Coordinates& u, const Coordinates& v)
 {
   return std::atan2(length(cross(u, v)), dot(u, v)); // accurate near 0 and pi, where acos is not
 }
 
-// A point as it stands in messages.
+// The text of a point in messages: 17 digits restore each `double`.
 inline std::string to_text(const Coordinates& point)
 {
   std::ostringstream text;

@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Flips edges inside planes until the triangles there are Delaunay. A flip puts the other diagonal of two triangles in
-// the place of their common edge. It moves the surface by no more than the distance of the two diagonals.
+// Flips edges inside planes until the triangles there are Delaunay, or until a bound on the number of flips is reached.
+// A flip replaces the common edge of two triangles by the other diagonal of their quadrangle. It moves the surface by
+// no more than the distance between the two diagonals.
 template <typename TriangleMesh, typename NamedParameters>
 class Coplanar_flips
 {
@@ -37,15 +38,18 @@ public:
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
 
-  // `unit` is a power of two with which no coordinate of a vector is large or tiny; `tolerance` is a length.
+  // All vectors are divided by `unit`, a power of two near the largest coordinate, so that products of them do not
+  // overflow. `tolerance` is the largest distance between the diagonals of a flip, in units of the mesh; no edge is
+  // flipped if it is negative.
   Coplanar_flips(TriangleMesh& tm, const Mesh& mesh, const double unit, const double tolerance)
     : m_mesh(tm), m_editable(mesh), m_unit(unit), m_tolerance(tolerance / unit)
   {}
 
-  // Flips edges among the given ones, and others that come to want it; all that may want it are given. No flip makes an
-  // edge longer than `maximum_edge_length`. Calls `changed(h)` for each flipped edge and returns their number. Flips
-  // make the angles lexicographically larger, but rounding could keep that from ending, and in a plane it may take the
-  // square of the number of edges, so that there is a bound.
+  // Flips the edges in `waiting` that are not Delaunay, and then those around them that a flip makes so. `waiting` must
+  // hold every edge that may need a flip. No flip makes an edge longer than `maximum_edge_length`, as `length_factor()`
+  // counts lengths. Calls `changed(h)` for each flipped edge and returns their number. Each flip makes the sorted
+  // angles lexicographically larger, so exact flips would end. Rounding could keep them from ending, and a plane may
+  // need as many flips as the square of its edges; hence there are at most 8 for each entry of `waiting`.
   template <typename Changed>
   std::size_t operator()(std::deque<halfedge_descriptor> waiting, const double maximum_edge_length,
                          const Changed& changed) const
@@ -69,14 +73,15 @@ public:
     return number;
   }
 
-  // Tells whether the triangles of an edge lie in a plane, and it is not constrained.
+  // Tells whether an edge is unconstrained and its two triangles lie in one plane.
   bool is_in_plane(const halfedge_descriptor h) const
   {
     return !m_editable.is_constrained(h) && are_coplanar(vectors_of(h));
   }
 
 private:
-  // Between the ends p and q of an edge, and r on the left and s on the right of it.
+  // The vectors between the source p and the target q of a halfedge, the apex r to its left and the apex s to its
+  // right.
   struct Vectors
   {
     Coordinates pq, rs, rp, rq, sp, sq;
@@ -106,8 +111,8 @@ private:
         && is_convex(v) && are_coplanar(v) && !are_neighbors(to_r, to_s);
   }
 
-  // The angles are those at r and s; their sum is known by its sine. The margin keeps the diagonals of a rectangle as
-  // they are.
+  // The sum of the angles at r and s exceeds pi where its sine is negative. The margin keeps rounding from flipping the
+  // diagonal of a rectangle.
   static bool is_angle_sum_above_pi(const Vectors& v)
   {
     const double margin = 1e-10;
@@ -115,15 +120,16 @@ private:
     return length(cross(v.rp, v.rq)) * dot(v.sq, v.sp) + length(cross(v.sq, v.sp)) * dot(v.rp, v.rq) < -margin * scale;
   }
 
-  // Both new triangles lie on the side of the old ones.
+  // The quadrangle is convex if both new triangles have the same orientation.
   static bool is_convex(const Vectors& v)
   {
     const Coordinates normal = cross(v.rs, v.pq);
     return dot(normal, cross(v.rp, v.rs)) > 0 && dot(normal, cross(v.rs, v.rq)) > 0;
   }
 
-  // The lines of the diagonals come within the tolerance. Of the vectors between them, the shortest one is the least
-  // sensitive to the rounding of the normal, which is large for narrow triangles.
+  // The distance between the lines of the diagonals is within the tolerance. Any vector from one diagonal to the other
+  // measures it; the shortest one is the least sensitive to the rounding error of the normal, which is large for narrow
+  // triangles.
   bool are_coplanar(const Vectors& v) const
   {
     const Coordinates normal = cross(v.rs, v.pq);
@@ -134,8 +140,8 @@ private:
     return std::abs(dot(normal, shortest)) <= m_tolerance * length(normal);
   }
 
-  // Tells whether an edge joins the targets of two halfedges. It turns around both at the same time, so that a vertex
-  // with many edges costs no more than the other one.
+  // Tells whether an edge joins the targets of two halfedges. It turns around both vertices at the same time, so that
+  // the cost is that of the smaller degree.
   bool are_neighbors(const halfedge_descriptor to_r, const halfedge_descriptor to_s) const
   {
     halfedge_descriptor around_r = to_r, around_s = to_s;

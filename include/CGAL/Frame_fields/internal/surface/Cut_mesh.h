@@ -40,7 +40,7 @@ inline std::string face_text(const int number, const Coordinates& vertex)
 }
 
 // A mesh cut along its constrained edges, as `Mesh_cutter` makes it: the surface that the stages see, and the elements
-// of the mesh that correspond to its own.
+// of the mesh that correspond to its own. The mesh must outlive it.
 template <typename TriangleMesh>
 class Cut_mesh
 {
@@ -66,7 +66,7 @@ public:
   const std::vector<face_descriptor>& face_descriptors() const { return m_faces; }
   Coordinates coordinates(const vertex_descriptor v) const { return m_points(v); }
 
-  // The mesh's halfedge of a flat index.
+  // The halfedge of the mesh that has a flat index.
   halfedge_descriptor halfedge_of(const int index) const
   {
     halfedge_descriptor h = halfedge(m_faces[face_of(index)], mesh());
@@ -103,8 +103,8 @@ public:
          + description_of_face(face_of(corner));
   }
 
-  // The angle of the projection of a vector to the plane of a face, from its first halfedge; NaN if the projection has
-  // no length or the vector is not finite.
+  // The angle in radians, from -pi to pi, from the first halfedge of a face to the projection of a vector to its plane;
+  // NaN if the projection is zero or not finite.
   double angle_in_face(const int face, const Coordinates& vector) const
   {
     const halfedge_descriptor h = halfedge(m_faces[face], mesh());
@@ -115,7 +115,7 @@ public:
     return has_direction ? std::atan2(y, x) : std::numeric_limits<double>::quiet_NaN();
   }
 
-  // The vector of length 1 in the plane of a face at an angle from its first halfedge.
+  // The unit vector in the plane of a face at an angle, in radians, from its first halfedge.
   Coordinates vector_in_face(const int face, const double angle) const
   {
     const halfedge_descriptor h = halfedge(m_faces[face], mesh());

@@ -46,23 +46,24 @@ struct Dual_edge
   int halfedge, opposite;
 };
 
-// The surface cut along its constrained edges, in flat arrays. Face f has the halfedges 3f, 3f+1 and 3f+2, the first of
-// which is that of the mesh. A halfedge stands for the corner at its target as well. (Section 2 of the paper; only
-// corner angles and the combinatorics are needed.)
+// The surface cut along its constrained edges, in flat arrays. Face f has the halfedges 3f, 3f+1 and 3f+2; the first
+// one is `halfedge(f, tm)` of the mesh. A halfedge also stands for the corner at its target. All angles are in radians.
+// (Section 2 of the paper, whose field needs only the corner angles and the combinatorics; lengths serve weights, areas
+// and distances.)
 struct Cut_surface
 {
   std::vector<Patch> patches;
   std::vector<double> angle;                 // per halfedge: the corner angle at its target
   std::vector<int> opposite;                 // per halfedge: its opposite, -1 on constrained edges
   std::vector<int> sector;                   // per halfedge: the sector of the corner at its target
-  std::vector<int> first_corner;             // per sector: its clockwise-most corner, any one if it is closed
+  std::vector<int> first_corner;             // per sector: its clockwise-most corner, any corner if it is closed
   std::vector<double> total_angle;           // per sector
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
   Edge_weighting edge_weighting = Edge_weighting::UNIFORM;
   std::vector<double> weight;                // per dual edge: w_ij
-  double length_unit = 1;                    // a power of two near the size of the mesh: areas do not overflow then
-  std::vector<double> length;                // per halfedge: its length in this unit; empty unless asked for
+  double length_unit = 1;                    // a power of two near the largest coordinate: no area overflows
+  std::vector<double> length;                // per halfedge: in this unit; empty unless asked for
   std::vector<double> alignment;             // per face: the angle that a branch must keep, NaN if there is none
   std::vector<double> guide_angle;           // per face: the angle near which a branch should be; empty if not guided
   std::vector<double> guide_weight;          // per face: how strongly, 0 if not at all; empty if not guided
@@ -74,7 +75,7 @@ struct Cut_surface
   int number_of_dual_edges() const { return static_cast<int>(dual_edges.size()); }
   bool is_constrained(const int halfedge) const { return opposite[halfedge] < 0; }
 
-  // A sector is on a constrained edge unless its fan of corners is closed.
+  // Whether the sector begins and ends with constrained edges; otherwise its fan of corners is closed.
   bool is_constrained_sector(const int s) const;
 
   bool is_aligned(const int face) const { return !std::isnan(alignment[face]); }
@@ -89,7 +90,7 @@ inline bool Cut_surface::is_constrained_sector(const int s) const
   return is_constrained(next_of(first_corner[s]));
 }
 
-// The angle of a halfedge counted counter-clockwise from the first halfedge of its face.
+// The angle, from 0 to 2 pi, from the first halfedge of a face counter-clockwise to a halfedge of the same face.
 inline double halfedge_angle(const Cut_surface& surface, const int halfedge)
 {
   const int first = halfedge - halfedge % 3;
@@ -101,8 +102,8 @@ inline double halfedge_angle(const Cut_surface& surface, const int halfedge)
   }
 }
 
-// A halfedge that is not the opposite of its opposite, or is its own; -1 if there is none. Then to go on to the next
-// corner of a sector is a permutation, and every walk around a sector comes to an end.
+// Returns the first halfedge that is its own opposite or not the opposite of its opposite, -1 if there is none. If
+// there is none, the step to the next corner of a sector is injective, and every walk around a sector ends.
 inline int inconsistent_halfedge(const std::vector<int>& opposite)
 {
   for(std::size_t h = 0; h < opposite.size(); ++h)
@@ -112,7 +113,7 @@ inline int inconsistent_halfedge(const std::vector<int>& opposite)
   return -1;
 }
 
-// Aligns the faces with their constrained edges.
+// Aligns each face that has a constrained edge with it, with the last one if there are more.
 inline void align_with_constrained_edges(Cut_surface& surface)
 {
   surface.alignment.assign(surface.number_of_faces(), std::numeric_limits<double>::quiet_NaN());
@@ -121,7 +122,8 @@ inline void align_with_constrained_edges(Cut_surface& surface)
       surface.alignment[face_of(halfedge)] = halfedge_angle(surface, halfedge);
 }
 
-// Calls `visit(h)` for the corners of a sector in counter-clockwise order.
+// Calls `visit(h)` for the corners of a sector in counter-clockwise order, from `first_corner` on. An open sector is
+// visited whole only from its clockwise-most corner.
 template <typename Visit>
 void for_each_corner(const std::vector<int>& opposite, const int first_corner, const Visit& visit)
 {

@@ -30,8 +30,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A mesh may want to know where its new elements come from: vertices between those of a face, with their weights, edges
-// and faces that are split off another one, and an edge that was flipped.
+// A mesh class can overload these functions to learn where its new elements come from: a vertex between up to three
+// vertices of a face, with their weights; an edge or a face that is a part of another one; and a flipped edge. By
+// default they do nothing.
 template <typename Mesh, typename Vertex>
 void note_vertex(Mesh&, const Vertex&, const std::array<Vertex, 3>&, const std::array<double, 3>&) {}
 template <typename Mesh, typename Edge>
@@ -41,11 +42,12 @@ void note_face(Mesh&, const Face&, const Face&) {}
 template <typename Mesh, typename Halfedge>
 void note_flip(Mesh&, const Halfedge&) {}
 
-// By what the lengths between two vertices count as longer than they are, where sizes differ from place to place.
+// The factor by which the length between two vertices is multiplied before it is compared with a bound. A mesh class
+// overloads it where sizes differ from place to place.
 template <typename Mesh, typename Vertex>
 double length_factor(const Mesh&, const Vertex&, const Vertex&) { return 1; }
 
-// A mesh that is about to be refined, with the maps that must follow.
+// A mesh that is refined, with the maps of points and constrained edges that must follow its changes.
 template <typename TriangleMesh, typename NamedParameters>
 class Editable_mesh : public Mesh_reader<TriangleMesh, NamedParameters>
 {
@@ -59,6 +61,7 @@ public:
   using Reader::Reader;
   using Reader::point;
 
+  // Returns an error that names the first face that is not a triangle, or success.
   Result check_triangles() const
   {
     std::size_t number = 0;
@@ -71,7 +74,8 @@ public:
     return {};
   }
 
-  // Makes room for new elements, so that no allocation fails while the mesh is changed; as far as its class has this.
+  // Reserves memory for new elements, so that no allocation fails while the mesh is changed. Does nothing for a mesh
+  // class without `reserve()`.
   void reserve_for(const std::size_t vertices, const std::size_t edges, const std::size_t faces) const
   {
     reserve_in(m_mesh, vertices, edges, faces, 0);
@@ -93,7 +97,7 @@ public:
 
   void set_point(const vertex_descriptor v, const Point_3& point) const { put(m_points, v, point); }
 
-  // Splits an unconstrained edge at its midpoint, and its two triangles with it.
+  // Splits an unconstrained edge at its midpoint, and each of its two triangles in two.
   void split_edge_with_faces(const halfedge_descriptor h) const
   {
     const Point_3 midpoint =
@@ -111,7 +115,7 @@ public:
   }
 
 private:
-  // Joins the vertex at the target of `to_midpoint` to the opposite one of a face with four of them.
+  // Splits a face with four vertices by an edge from the target of `to_midpoint` to the opposite vertex.
   void split_face(const halfedge_descriptor to_midpoint) const
   {
     const auto whole = face(to_midpoint, m_mesh);

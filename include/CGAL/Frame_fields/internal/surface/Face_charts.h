@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The weights of the targets of the three halfedges of a face.
+// Barycentric coordinates in a face: the weights of the targets of its three halfedges, of sum 1.
 typedef std::array<double, 3> Corner_weights;
 
 inline Corner_weights between(const Corner_weights& from, const Corner_weights& to, const double t)
@@ -41,14 +41,15 @@ inline Corner_weights weights_of_corner(const int corner)
   return result;
 }
 
-// The point of a halfedge at `t` from its source (0) to its target (1).
+// The point on a halfedge at `t`, which runs from 0 at the source to 1 at the target.
 inline Corner_weights weights_on_halfedge(const int halfedge, const double t)
 {
   return between(weights_of_corner(previous_of(halfedge)), weights_of_corner(halfedge), t);
 }
 
 // Each face laid out in the plane: its first halfedge starts at the origin and runs along the x axis. Lengths are in
-// units of the longest edge of the surface, so that products of them neither overflow nor underflow at any scale.
+// units of the longest edge of the surface, so that products of them do not overflow at any scale. The surface must
+// have faces and `length`, and must outlive the charts.
 class Face_charts
 {
 public:
@@ -64,11 +65,12 @@ public:
   }
 
   const Cut_surface& surface() const { return m_surface; }
+  // The length of the longest edge, in units of the mesh.
   double unit() const { return m_unit * m_surface.length_unit; }
   double length(const int halfedge) const { return m_surface.length[halfedge] / m_unit; }
   const Plane_vector& direction(const int halfedge) const { return m_direction[halfedge]; }
 
-  // Where the target of a halfedge is.
+  // The place of the target of a halfedge in the chart of its face.
   Plane_vector corner(const int halfedge) const
   {
     switch(halfedge % 3)
@@ -92,7 +94,8 @@ public:
     return std::hypot(v.x, v.y);
   }
 
-  // A direction, seen from the face on the other side of an unconstrained halfedge, when both are laid flat.
+  // A direction in the chart of the face on the other side of an unconstrained halfedge, when both faces are unfolded
+  // into one plane.
   Plane_vector direction_across(const int halfedge, const Plane_vector& v) const
   {
     const Plane_vector here = direction(halfedge), there = -direction(m_surface.opposite[halfedge]);
@@ -105,6 +108,7 @@ public:
     return corner(m_surface.opposite[halfedge]) + direction_across(halfedge, p - source(halfedge));
   }
 
+  // The distance from a place to the segment of a halfedge of the same face.
   double distance_to(const int halfedge, const Plane_vector& p) const
   {
     const Plane_vector v = p - source(halfedge);
@@ -113,6 +117,7 @@ public:
     return std::hypot(beyond, cross(direction(halfedge), v));
   }
 
+  // In units of the longest edge squared, as is the total area.
   double area(const int face) const
   {
     const int h = 3 * face;
@@ -140,7 +145,7 @@ struct Ray_exit
   double t;
 };
 
-// Where the ray from `p` meets a halfedge that it leaves its face through: with the source to its right and the target
+// Where the ray from `p` meets a halfedge through which it leaves the face: the source is to its right and the target
 // to its left.
 inline Ray_exit meet(const Face_charts& charts, const Plane_vector& p, const Plane_vector& direction,
                      const int halfedge)
@@ -152,12 +157,13 @@ inline Ray_exit meet(const Face_charts& charts, const Plane_vector& p, const Pla
   return { halfedge, dot(direction, charts.direction(halfedge)) > 0 ? 1. : 0. }; // it runs along the halfedge
 }
 
+// The ray starts at a corner and points into its face: it leaves through the opposite halfedge.
 inline Ray_exit exit_from_corner(const Face_charts& charts, const Plane_vector& direction, const int corner)
 {
   return meet(charts, charts.corner(corner), direction, previous_of(corner));
 }
 
-// The ray starts on `entry` and points to its left.
+// The ray starts on the halfedge `entry` and points to its left: it leaves through one of the two others.
 inline Ray_exit exit_from_halfedge(const Face_charts& charts, const Plane_vector& p, const Plane_vector& direction,
                                    const int entry)
 {
@@ -165,6 +171,7 @@ inline Ray_exit exit_from_halfedge(const Face_charts& charts, const Plane_vector
   return meet(charts, p, direction, is_apex_left ? next_of(entry) : previous_of(entry));
 }
 
+// The ray starts anywhere in the face.
 inline Ray_exit exit_from_inside(const Face_charts& charts, const int face, const Plane_vector& p,
                                  const Plane_vector& direction)
 {

@@ -31,7 +31,7 @@ inline std::array<double, 3> hat_integrals_below(const std::array<double, 3>& va
   std::array<int, 3> order = { 0, 1, 2 };
   std::sort(order.begin(), order.end(), [&](const int i, const int j) { return values[i] < values[j]; });
   const double low = values[order[0]], middle = values[order[1]], high = values[order[2]];
-  // Over a triangle at one corner that is cut off at the parts s and t of the sides to the two others.
+  // Over the triangle that is cut off at one corner at the fractions s and t of its sides to the two others.
   const auto integrals_at_corner = [](const double s, const double t) -> std::array<double, 3>
   {
     return { s * t * (3 - s - t) / 3, s * t * s / 3, s * t * t / 3 };
@@ -55,7 +55,7 @@ inline std::array<double, 3> hat_integrals_below(const std::array<double, 3>& va
   return result;
 }
 
-// A third of the areas of the faces at each corner of the sector.
+// A third of the area of the face at each corner of the sector, in units of `length_unit` squared.
 inline double sector_area(const Cut_surface& surface, const int sector)
 {
   double sum = 0;
@@ -64,15 +64,17 @@ inline double sector_area(const Cut_surface& surface, const int sector)
   return sum;
 }
 
-// A sector, and the integral of its hat function over a part of the patch.
+// A sector, and the integral of its hat function over a part of the patch, in units of `length_unit` squared.
 struct Sector_share
 {
   int sector;
   double area;
 };
 
-// The part of a patch within a geodesic distance of a sharp corner, and the areas that the sectors have in it.
-// Triangles that its rim cuts count by their part inside: shares do not jump when the mesh changes a little.
+// The part of a patch within a geodesic distance of a sharp corner, and the areas that the sectors have in it. Of a
+// triangle that its rim cuts, only the part inside counts, so that shares do not jump when the mesh changes a little.
+// A corner is given by its sector; radii are in units of `length_unit`. Visits no
+// sector beyond twice the radius.
 class Geodesic_ball
 {
 public:
@@ -86,8 +88,9 @@ public:
     return shares(radius);
   }
 
-  // The same in a ball that is not larger than the largest one that fills most of the wedge that the corner's angle
-  // opens. Beyond it, as in a long strip with a tapered end, the sides no longer tell how much room the corner has.
+  // The same in a smaller ball, if the ball of the largest radius does not fill most of the wedge of the corner's
+  // angle: then it is the largest ball that does. Beyond it, as in a long strip with a tapered end, the sides of the
+  // wedge do not tell how much room the corner has.
   std::vector<Sector_share> shares_in_wedge(const int corner, const double largest_radius)
   {
     reach(corner, largest_radius);
@@ -97,7 +100,8 @@ public:
 private:
   double distance(const int sector) const { return m_distances.distance_of(sector); }
 
-  // Collects the sectors within the radius in the order of their distances, and finds the distances of their neighbors.
+  // Collects the sectors within the radius in the order in which the front first reaches them, and finds the distances
+  // of their neighbors.
   void reach(const int source, const double radius)
   {
     m_inside.clear();
@@ -132,7 +136,7 @@ private:
     return filled_radius;
   }
 
-  // Each face counts at the corner that is nearest to the source.
+  // A face is added only at its corner that is nearest to the source, so that it counts once.
   bool is_nearest_corner(const int c) const
   {
     const auto is_before = [this](const int a, const int b)

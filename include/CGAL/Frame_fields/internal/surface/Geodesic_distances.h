@@ -25,8 +25,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The distance at P of a front that came from a point at `distance_c` from C and `distance_n` from N across the side CN
-// of the triangle, laid out in the plane; infinite if the straight line to P misses that side.
+// The distance of P from a source beyond the side CN of the triangle CNP, when the source is laid out in its plane at
+// `distance_c` from C and `distance_n` from N; infinite if the straight line to P misses that side, or if no point has
+// these distances.
 inline double distance_across_side(const double side_cn, const double side_cp, const double angle_at_c,
                                    const double distance_c, const double distance_n)
 {
@@ -43,8 +44,9 @@ inline double distance_across_side(const double side_cn, const double side_cp, c
   return std::hypot(x - source_x, y + source_y);
 }
 
-// Distances in a patch from one sector, by a front that unfolds the triangles it enters. They are exact where straight
-// lines from the source are the shortest paths.
+// Distances in a patch from one sector, in units of `length_unit`, by a front that unfolds the triangles it enters.
+// They are exact where straight lines from the source are the shortest paths. The surface and the patch must outlive
+// it.
 class Geodesic_distances
 {
 public:
@@ -53,8 +55,9 @@ public:
     , m_number_of_visits(patch.sectors.size(), 0)
   {}
 
-  // Calls `visit(sector, distance)` once for each sector, in the order of their distances, until it returns false. A
-  // distance may still be lowered later.
+  // Calls `visit(sector, distance)` once for each sector, in the order in which the front first reaches them, until it
+  // returns false. A distance may still be lowered later. A walk over n sectors takes O(n log n) time; what the walk
+  // before it reached is reset first.
   template <typename Visit>
   void walk_from(const int source, const Visit& visit)
   {
@@ -79,7 +82,7 @@ public:
     }
   }
 
-  // The distance of a sector from the last source: that of a sector visited, and at least it for the others.
+  // The distance of a sector from the last source if it was visited; otherwise an upper bound, infinity at most.
   double distance_of(const int sector) const { return m_distance[local(sector)]; }
 
 private:
@@ -91,7 +94,7 @@ private:
   double& distance(const int sector) { return m_distance[local(sector)]; }
 
   // Beyond obtuse corners the front may come again by a shorter way. In needles, rounding errors could lower distances
-  // for ever, so there is a limit.
+  // forever, so there is a limit.
   void lower(const int sector, const double d)
   {
     const unsigned char maximum_number_of_visits = 8;
@@ -124,6 +127,7 @@ private:
   Queue m_queue;
 };
 
+// Whether a patch has a border or a feature edge; a closed one without features has none.
 inline bool has_constrained_sector(const Cut_surface& surface, const Patch& patch)
 {
   for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
@@ -132,7 +136,8 @@ inline bool has_constrained_sector(const Cut_surface& surface, const Patch& patc
   return false;
 }
 
-// Searches all sectors that are nearer, so the patch should have a constrained one.
+// The distance from a sector to the nearest constrained one, in units of `length_unit`; infinite if the patch has none.
+// Visits all sectors that are nearer, so the caller should ask `has_constrained_sector()` first.
 inline double distance_to_constrained_sector(const Cut_surface& surface, const int sector,
                                              Geodesic_distances& distances)
 {

@@ -29,10 +29,11 @@ namespace Frame_fields {
 namespace internal {
 
 // Splits edges at their midpoints, the longest first, and with each its triangles. The longest edge of all is the
-// longest one of its triangles, so that each triangle is bisected at its longest edge. However often this happens, what
-// comes of a triangle has at least a half of its smallest angle (Rosenberg and Stenger 1975).
-// Edges that cannot be flipped go before those inside planes: flips then give these the lengths that a narrow strip
-// allows, and no vertex is put where there is no room for it.
+// longest one of its triangles, so that each triangle is bisected at its longest edge. However often this happens, the
+// pieces of a triangle have angles of at least half its smallest one (Rosenberg and Stenger 1975). That holds as long
+// as no flip, no length factor and no precedence comes between. Edges that cannot be flipped go before those inside
+// planes. Flips then give the latter the lengths that a narrow strip allows, and no vertex is put where there is no
+// room for it.
 template <typename TriangleMesh, typename NamedParameters, typename IsInPlane>
 class Longest_edge_splits
 {
@@ -42,7 +43,8 @@ public:
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
 
-  // Once there are `maximum_number_of_faces`, nothing is split any more.
+  // Splits edges longer than `maximum_edge_length`, as `length_factor()` counts lengths. Nothing is split once there
+  // are `maximum_number_of_faces`; the last split may add one face too many.
   Longest_edge_splits(TriangleMesh& tm, const Mesh& mesh, const double maximum_edge_length,
                       const double maximum_number_of_faces, const IsInPlane& is_in_plane)
     : m_mesh(tm), m_editable(mesh), m_maximum_edge_length(maximum_edge_length)
@@ -50,7 +52,7 @@ public:
     , m_number_of_faces(static_cast<double>(num_faces(tm)))
   {}
 
-  // Has to be called for all edges, and for those that others change.
+  // Enters an edge if it is too long. Must be called for all edges first, and later for each edge that is flipped.
   void add(const halfedge_descriptor h)
   {
     const double length = length_of(h);
@@ -58,12 +60,12 @@ public:
       m_queue.push({ m_is_in_plane(h) ? length : precedence * length, length, m_number_of_entries++, h });
   }
 
-  // The length of the longest edge that is left, 0 if none is. Here and below, edges in no plane count as longer than
-  // they are.
+  // The length of the longest edge that is left, 0 if none is or no split is allowed any more; too large if that edge
+  // has changed since. Here and below, edges that are not inside planes count as longer, by the factor `precedence`.
   double longest() const { return m_queue.empty() || is_exhausted() ? 0 : m_queue.top().priority; }
 
-  // Splits the edges longer than a bound, and adds the edges of all triangles of a split to a list. Returns the number
-  // of splits.
+  // Splits the edges longer than a bound, the longest first. Appends the edges of all new triangles to `changed`.
+  // Returns the number of splits.
   std::size_t split_down_to(const double bound, std::deque<halfedge_descriptor>& changed)
   {
     std::size_t number = 0;
@@ -78,7 +80,7 @@ public:
   }
 
 private:
-  static constexpr double precedence = 1.4; // of edges in no plane: pieces of a strip end at squares
+  static constexpr double precedence = 1.4; // of edges not inside planes: then a strip is cut into squares
 
   struct Entry
   {
@@ -100,7 +102,7 @@ private:
          * distance(m_editable.coordinates(source(h, m_mesh)), m_editable.coordinates(target(h, m_mesh)));
   }
 
-  // Fails if there is no number between those of the ends.
+  // Returns false and changes nothing if the midpoint is rounded to one of the ends.
   bool split(const halfedge_descriptor h, std::deque<halfedge_descriptor>& changed)
   {
     const auto midpoint = m_editable.traits().construct_midpoint_3_object()(

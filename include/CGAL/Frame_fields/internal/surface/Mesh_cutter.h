@@ -44,7 +44,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Cuts a mesh along its constrained edges.
+// Cuts a mesh along its constrained edges. The mesh must outlive the cutter and the cut mesh.
 template <typename TriangleMesh, typename NamedParameters>
 class Mesh_cutter
 {
@@ -58,8 +58,9 @@ public:
     : m_mesh(tm), m_reader(tm, np), m_face_number(get(CGAL::dynamic_face_property_t<int>(), tm))
   {}
 
-  // Sets the cut mesh, but not what guides its field. Does not read coordinates of isolated vertices. To be called
-  // once.
+  // Sets the cut mesh, but not what guides its field; or returns an error that names the first faulty face. Lengths are
+  // measured if `measures_lengths`. Does not read coordinates of isolated vertices. Takes linear time. Must be called
+  // only once.
   Result cut(const Edge_weighting weighting, const bool measures_lengths, Cut_mesh<TriangleMesh>& cut_mesh)
   {
     Result result = collect_faces();
@@ -150,7 +151,7 @@ private:
     return {};
   }
 
-  // The largest power of two up to the size of the coordinates.
+  // The largest power of two up to the largest absolute value of a coordinate; 1 if all are zero.
   double length_unit() const
   {
     double largest = 0;
@@ -189,7 +190,7 @@ private:
       m_surface.length[3 * face + k] = distance(points[(k + 2) % 3] / unit, points[k] / unit);
   }
 
-  // Reads the points of the faces from `begin` on.
+  // Reads the points of the faces from `begin` up to `end`.
   Result read_block(const std::size_t begin, const std::size_t end, std::vector<Triangle_points>& block) const
   {
     for(std::size_t f = begin; f < end; ++f)
@@ -212,7 +213,8 @@ private:
     });
   }
 
-  // One thread reads the mesh, since the caller's maps may not bear more, block after block; all measure a block.
+  // One thread reads the mesh, block after block, since the caller's maps may not be safe for several threads. All
+  // threads measure a block.
   Result measure(const bool measures_lengths)
   {
     if(measures_lengths)
@@ -238,9 +240,9 @@ private:
 
   const TriangleMesh& m_mesh;
   Reader m_reader;
-  Face_number_map m_face_number; // the number of each face in the order of faces(tm)
+  Face_number_map m_face_number; // the place of each face in faces(tm)
   std::vector<face_descriptor> m_faces;
-  std::vector<int> m_numbers;    // of `m_faces`
+  std::vector<int> m_numbers;    // the places of `m_faces` in faces(tm)
   Cut_surface m_surface;
 };
 

@@ -63,7 +63,9 @@ private:
   int m_value = 0;
 };
 
-// Values by the number of their element, in an array that the map refers to or shares. What was never put is `Value()`.
+// A property map with an array of values by the number of their element. The map refers to the array of another object,
+// or shares one with its copies. An element without an entry has the value `Value()`. As put() may enlarge the array,
+// only one thread may write.
 template <typename Index, typename Value, typename Stored = Value>
 class Element_map
 {
@@ -73,6 +75,7 @@ public:
   typedef Value reference;
   typedef boost::read_write_property_map_tag category;
 
+  // Makes an empty array that copies of the map share.
   Element_map() : m_values(std::make_shared<std::vector<Stored> >()) {}
 
   // Refers to an array that must outlive the map.

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The map of the points that the caller gave or that the mesh has. That of a constant mesh is only read.
+// The point map that the caller gave or else that of the mesh. The map of a constant mesh is only read.
 template <typename Mesh, typename NamedParameters>
 struct Vertex_point_map_of
 {
@@ -65,8 +65,8 @@ struct Geom_traits_from
   }
 };
 
-// A mesh with its points and constrained edges as the named parameters give them. Whatever reads a mesh reads it
-// through this class or one that is derived from it.
+// A mesh with its points, traits and constrained edges as the named parameters give them. Meshes are read through this
+// class or through one derived from it only. The mesh must outlive it.
 template <typename Mesh, typename NamedParameters>
 class Mesh_reader
 {
@@ -93,6 +93,7 @@ public:
   Point_3 point(const vertex_descriptor v) const { return get(m_points, v); }
   Coordinates coordinates(const vertex_descriptor v) const { return coordinates_of(get(m_points, v), m_traits); }
 
+  // Tells whether the edge of a halfedge is a border edge or marked by the caller's map.
   bool is_constrained(const halfedge_descriptor h) const
   {
     return is_border(opposite(h, m_mesh), m_mesh) || is_border(h, m_mesh)

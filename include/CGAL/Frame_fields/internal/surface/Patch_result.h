@@ -18,12 +18,13 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What a stage says of one patch. For a failure, `sector` is the one at fault, or any one if it is the whole patch.
+// The result of a stage for one patch. After a failure, `sector` is the sector at fault, or any sector of the patch if
+// the whole patch is at fault.
 struct Patch_result
 {
   Error_code error_code{}; // no error
   int sector = 0;
-  long long missing_index = 0; // with ERROR_POINCARE_HOPF: what 4 I lacks in the patch of the sector
+  long long missing_index = 0; // with ERROR_POINCARE_HOPF: what the sum of 4 I lacks in the patch
 };
 
 } // namespace internal

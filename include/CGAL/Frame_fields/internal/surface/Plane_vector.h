@@ -34,7 +34,7 @@ inline double dot(const Plane_vector& u, const Plane_vector& v) { return u.x * v
 inline double cross(const Plane_vector& u, const Plane_vector& v) { return u.x * v.y - u.y * v.x; }
 inline Plane_vector quarter_turn(const Plane_vector& u) { return { -u.y, u.x }; }
 
-// The angle from u counter-clockwise to v, between -pi and pi.
+// The angle from u counter-clockwise to v in radians, from -pi to pi; 0 if one of them is zero.
 inline double angle_from_to(const Plane_vector& u, const Plane_vector& v) { return std::atan2(cross(u, v), dot(u, v)); }
 
 } // namespace internal

@@ -28,15 +28,16 @@ namespace Frame_fields {
 namespace internal {
 
 // Where the elements of a mesh come from that is refined by splitting edges and faces and by flipping edges in planes.
-// Each face has a seed, a location in the mesh as it was. From there a straight walk leads to every point of the face:
-// the seed is in the face, or in one that it is part of, and such a face is in one plane. A vertex that is between at
-// most three vertices of a face of the mesh as it was knows these, so that nothing is rounded where nothing is flipped.
+// The unrefined mesh is called the original here. Each face has a seed, a location in the original. From there a
+// straight walk leads to every point of the face: the seed is in the face, or in a face of which it is a part, and such
+// a face is in one plane. A vertex also stores up to three vertices of the original between which it lies, with their
+// weights, so that locations are exact where nothing is flipped.
 class Refinement_origin
 {
 public:
   typedef std::array<double, 3> Weights;
 
-  // Until it starts, nothing is noted.
+  // Starts with the numbers of elements of the original. Before this call nothing is noted.
   void start(const int number_of_vertices, const int number_of_edges, const int number_of_faces)
   {
     m_vertices.resize(number_of_vertices);
@@ -48,10 +49,10 @@ public:
       m_seeds.push_back({ f, { 1. / 3, 1. / 3, 1. / 3 } });
   }
 
-  // Flips can be noted from now on. The walker is one of the mesh as it was; it must outlive this object.
+  // Must be called before the first flip. The walker is one on the original; it must outlive this object.
   void walk_by(const Surface_walker& walker) { m_walker = &walker; }
 
-  // Notes a new vertex between up to three of the same face, -1 for none.
+  // Notes a new vertex between up to three vertices of the same face, -1 for none, with their weights, of sum 1.
   void add_vertex(const int vertex, const std::array<int, 3>& ends, const Weights& weights)
   {
     if(m_vertices.empty())
@@ -70,7 +71,7 @@ public:
     m_vertices[vertex] = is_known ? origin : Vertex_origin();
   }
 
-  // Notes an edge that is a part of another one.
+  // Notes an edge that is a part of another one; does nothing if it is the same.
   void add_edge(const int edge, const int other)
   {
     if(m_edges.empty() || edge == other)
@@ -80,7 +81,7 @@ public:
     m_edges[edge] = m_edges[other];
   }
 
-  // Notes a face that is split off another one; nothing if it is the same.
+  // Notes a face that is split off another one; does nothing if it is the same.
   void add_face(const int face, const int other)
   {
     if(m_seeds.empty() || face == other)
@@ -90,8 +91,9 @@ public:
     m_seeds[face] = m_seeds[other];
   }
 
-  // Notes that the common edge of two faces was flipped: where its middle was, and the middles of the new faces. By way
-  // of the former, walks keep to the plane of the faces.
+  // Notes that the common edge of two faces was flipped. `middle_of_edge` is its midpoint before the flip, the others
+  // are centroids of the new faces, all in the unit of the walker. The seeds walk there by way of the old midpoint,
+  // which keeps them in the plane of the faces.
   void flip(const int face, const int other, const Coordinates& middle_of_edge, const Coordinates& middle_of_face,
             const Coordinates& middle_of_other)
   {
@@ -104,13 +106,15 @@ public:
     m_seeds[other] = nearest_walk(starts, middle_of_other);
   }
 
-  // The face of the mesh as it was with the seed of a face.
+  // The face of the original that holds the seed of a face.
   int face(const int f) const { return m_seeds[f].face; }
 
-  // The edge of the mesh as it was that an edge is a part of, -1 for one inside its faces.
+  // The edge of the original that an edge is a part of, -1 for an edge inside a face. Of no use for unconstrained
+  // edges, since flips and splits of these are not noted here.
   int edge(const int e) const { return static_cast<std::size_t>(e) < m_edges.size() ? m_edges[e] : -1; }
 
-  // The location in the mesh as it was of a point of face f with the given vertices and weights.
+  // The location in the original of a point of face f, given by the weights of the vertices of the face and by its
+  // coordinates. `embedding` is that of the original. Takes constant time unless it must walk.
   Surface_location location(const Surface_embedding& embedding, const int f, const std::array<int, 3>& vertices,
                             const Weights& weights, const Coordinates& point) const
   {
@@ -124,14 +128,14 @@ public:
   }
 
 private:
-  // All vertices are -1 if it is not between three of the mesh as it was.
+  // The vertices of the original between which a vertex lies; all are -1 if these would be more than three.
   struct Vertex_origin
   {
-    std::array<int, 3> vertex = { -1, -1, -1 }; // -1 without weight
+    std::array<int, 3> vertex = { -1, -1, -1 }; // -1 for none
     Weights weight = { 0, 0, 0 };
   };
 
-  // Returns whether there is room for the vertex.
+  // Adds a weight of a vertex, if it is not -1. Returns false if the origin has three other vertices already.
   static bool add(const int vertex, const double weight, Vertex_origin& origin)
   {
     for(int k = 0; k < 3 && vertex >= 0; ++k)
@@ -144,7 +148,8 @@ private:
     return vertex < 0;
   }
 
-  // Returns whether the vertex is in the face of the location.
+  // Adds the weights of an origin to a location. Returns false if one of its vertices is not in the face of the
+  // location.
   static bool add_weights(const Surface_embedding& embedding, const Vertex_origin& origin, const double weight,
                           Surface_location& location)
   {
@@ -168,7 +173,7 @@ private:
     return location;
   }
 
-  // Of two walks, since one of the faces may be too narrow to start in.
+  // The end nearest to the goal of two walks, since one of the faces may be too narrow to start in.
   Surface_location nearest_walk(const std::array<Surface_location, 2>& starts, const Coordinates& goal) const
   {
     const Surface_location first = walked(starts[0], goal), second = walked(starts[1], goal);
@@ -177,7 +182,7 @@ private:
   }
 
   std::vector<Vertex_origin> m_vertices; // per vertex
-  std::vector<int> m_edges;              // per edge, as far as they are parts of others
+  std::vector<int> m_edges;              // per edge: the edge of the original, -1 for none
   std::vector<Surface_location> m_seeds; // per face
   const Surface_walker* m_walker = nullptr;
 };

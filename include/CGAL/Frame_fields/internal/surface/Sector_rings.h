@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Walks over the sectors of one patch ring by ring along the edges of its faces.
+// Walks over the sectors of one patch ring by ring: each ring holds the sectors that share an edge with the ring before
+// it and are in no earlier ring. The surface and the patch must outlive it.
 class Sector_rings
 {
 public:
@@ -36,7 +37,8 @@ public:
     visit(sector);
   }
 
-  // Goes one ring further; the result is empty when the patch is exhausted.
+  // Goes one ring further; the ring is empty when the patch is exhausted. The reference is valid until the next call.
+  // The cost is that of the corners of the ring before.
   const std::vector<int>& next()
   {
     m_next_ring.clear();

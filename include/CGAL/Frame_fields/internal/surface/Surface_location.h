@@ -27,7 +27,7 @@ struct Surface_location
   std::array<double, 3> barycentric = { 1, 0, 0 };
 };
 
-// A fraction of the way along a halfedge.
+// The location on a halfedge at a fraction of the way from its source (0) to its target (1).
 inline Surface_location location_on_halfedge(const int halfedge, const double fraction)
 {
   Surface_location location;

@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Moves points on a surface straight on from face to face, never across a constrained edge.
+// Moves points on a surface straight on from face to face, never across a constrained edge. Coordinates are in the unit
+// of the embedding. The surface and the embedding must outlive it.
 class Surface_walker
 {
 public:
@@ -55,7 +56,8 @@ public:
 
   // Walks along the part of `displacement` that is tangential to the face. Faces are unfolded into its plane one after
   // the other. Returns whether the end was reached; otherwise `location` is where a constrained edge, a face without
-  // height, or the bound on the number of steps stopped the walk.
+  // height, or the bound on the number of steps stopped the walk. From a face without area the walk does not move, and
+  // the result is `true`. Each step takes constant time; a start at a corner takes that of the corners of its sector.
   bool walk(Surface_location& location, const Coordinates& displacement, const int maximum_number_of_steps = 1000) const
   {
     turn_at_corner(location, displacement);
@@ -85,7 +87,7 @@ public:
     return false;
   }
 
-  // Walks to where no tangential step leads nearer to `goal`, as far as a few rounds find it.
+  // Walks towards `goal` again and again until that leads no nearer, but for `number_of_rounds` walks at most.
   void walk_towards(Surface_location& location, const Coordinates& goal, const int number_of_rounds = 8) const
   {
     double best = distance(point(location), goal);
@@ -103,8 +105,9 @@ public:
   }
 
 private:
-  // At a corner: goes to the face of its sector into which the displacement points, if there is one. From another face
-  // the walk would have to go around the vertex first, and perhaps the way round that a constrained edge blocks.
+  // If the location is a corner: goes to the face of its sector into which the displacement points, if there is one.
+  // From another face the walk would have to go around the vertex first, perhaps on the side that a constrained edge
+  // blocks.
   void turn_at_corner(Surface_location& location, const Coordinates& displacement) const
   {
     const auto at = std::find(location.barycentric.begin(), location.barycentric.end(), 1.);
@@ -123,7 +126,7 @@ private:
     });
   }
 
-  // The apex of a face over one of its halfedges: how far along it and how far to its left.
+  // The length of a halfedge, and the apex of its face: how far along the halfedge and how far to its left.
   struct Edge_chart
   {
     double length, along, height;
@@ -145,7 +148,8 @@ private:
     }
   }
 
-  // What a displacement of `along` a halfedge and `left` of it adds to the weights of its face.
+  // What a displacement by `along` in the direction of a halfedge and by `left` to its left adds to the weights of the
+  // corners of its face; zero in a face without height.
   std::array<double, 3> change_of_weights(const int halfedge, const double along, const double left) const
   {
     const Edge_chart& chart = m_chart[halfedge];
@@ -169,7 +173,8 @@ private:
     return change_of_weights(h, dot(edge, displacement) / l, dot(cross(m_normal[face], edge), displacement) / l);
   }
 
-  // Goes to the other side of a halfedge with what is left of the walk. Returns whether there is one.
+  // Goes to the face on the other side of a halfedge with the fraction `rest` of the walk that is left. Returns false
+  // if the halfedge is constrained or that face has no height.
   bool cross_edge(const int halfedge, const double rest, Surface_location& location,
                   std::array<double, 3>& change) const
   {

@@ -31,7 +31,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What makes `Working_mesh` a model of `MutableFaceGraph`: the functions of the concept, property maps and traits.
+// What makes `Working_mesh` a model of `MutableFaceGraph`, but for the functions that remove elements: the functions of
+// the concept, property maps and traits.
 
 inline Working_mesh::Vertex target(const Working_mesh::Halfedge h, const Working_mesh& m) { return m.target(h); }
 inline Working_mesh::Halfedge opposite(const Working_mesh::Halfedge h, const Working_mesh&)
@@ -79,6 +80,7 @@ inline auto halfedges(const Working_mesh& m) { return first_elements<Working_mes
 inline auto edges(const Working_mesh& m) { return first_elements<Working_mesh::Edge>(m.number_of_halfedges() / 2); }
 inline auto faces(const Working_mesh& m) { return first_elements<Working_mesh::Face>(m.number_of_faces()); }
 
+// The halfedge from u to v, if there is one. The cost is the degree of v, as that of degree() below.
 inline std::pair<Working_mesh::Halfedge, bool> halfedge(const Working_mesh::Vertex u, const Working_mesh::Vertex v,
                                                         const Working_mesh& m)
 {
@@ -144,7 +146,7 @@ inline void reserve(Working_mesh& m, const std::size_t vertices, const std::size
   m.reserve(vertices, edges, faces);
 }
 
-// What `Editable_mesh` tells of its changes.
+// The overloads of what `Editable_mesh.h` declares: they keep the origins and the densities up to date.
 inline void note_vertex(Working_mesh& m, const Working_mesh::Vertex v, const std::array<Working_mesh::Vertex, 3>& ends,
                         const std::array<double, 3>& weights)
 {
@@ -185,7 +187,7 @@ inline double length_factor(const Working_mesh& m, const Working_mesh::Vertex u,
 typedef Element_map<Working_mesh::Vertex, Working_mesh::Point> Working_point_map;
 typedef Element_map<Working_mesh::Edge, bool, char> Working_constraint_map;
 
-// A map that is read only may refer to a mesh that is const.
+// `Element_map` refers to an array that is not const, so this casts; the map of a constant mesh must only be read.
 inline Working_point_map get(boost::vertex_point_t, const Working_mesh& m)
 {
   return Working_point_map(const_cast<Working_mesh&>(m).points());

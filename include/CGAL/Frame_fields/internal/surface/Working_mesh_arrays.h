@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A mesh of the package's own in arrays, to be refined in place of the caller's: elements are only added. The halfedges
-// of edge e are 2e and 2e + 1. `Working_mesh.h` makes it a model of `MutableFaceGraph`.
+// A mesh of the package's own in arrays, which is refined in place of the caller's. Elements are only added. The
+// halfedges of edge e are 2e and 2e + 1. `Working_mesh.h` makes it a model of `MutableFaceGraph`, but for removal.
 class Working_mesh
 {
 public:
@@ -40,7 +40,8 @@ public:
   int number_of_halfedges() const { return static_cast<int>(m_next.size()); }
   int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
 
-  // Sets the size at once; all connections are unset.
+  // Sets the numbers of elements, which must not decrease. New elements have no connections, and new edges are not
+  // constrained.
   void resize(const int vertices, const int edges, const int faces)
   {
     m_vertex_halfedge.resize(vertices);
@@ -53,6 +54,7 @@ public:
     m_face_halfedge.resize(faces);
   }
 
+  // Reserves memory for these numbers of elements in all, but not for their origins and densities.
   void reserve(const std::size_t vertices, const std::size_t edges, const std::size_t faces)
   {
     m_vertex_halfedge.reserve(vertices);
@@ -96,7 +98,7 @@ private:
   std::vector<Vertex> m_target;
   std::vector<Face> m_face;
   std::vector<Point> m_point;
-  std::vector<double> m_density;      // per vertex: by what lengths there count as longer than they are; empty if by 1
+  std::vector<double> m_density;      // per vertex: the factor by which lengths count; empty if it is 1
   std::vector<char> m_is_constrained; // per edge
   Refinement_origin m_origin;
 };

@@ -20,20 +20,20 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The area of a triangle by two of its sides and the angle between them.
+// The area of a triangle from the lengths of two of its sides and the angle between them.
 inline double triangle_area(const double length, const double other_length, const double angle)
 {
   return length * other_length * std::sin(angle) / 2;
 }
 
-// In squares of the surface's length unit.
+// The area of a face in units of `length_unit` squared, as all areas here. The surface must have lengths.
 inline double area(const Cut_surface& surface, const int face)
 {
   const int h = 3 * face;
   return triangle_area(surface.length[h], surface.length[h + 1], surface.angle[h]);
 }
 
-// In units of `length_unit` squared, as all areas here.
+// The sum of the areas of the faces of a patch.
 inline double patch_area(const Cut_surface& surface, const Patch& patch)
 {
   double sum = 0;
@@ -42,6 +42,7 @@ inline double patch_area(const Cut_surface& surface, const Patch& patch)
   return sum;
 }
 
+// The sum of the areas of all patches.
 inline double surface_area(const Cut_surface& surface)
 {
   double sum = 0;

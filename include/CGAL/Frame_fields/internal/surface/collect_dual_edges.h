@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// c_ij between -pi and pi, so that c_ji = -c_ij and the matching can be used without the order of the faces here.
+// c_ij in radians, from -pi to pi. Then c_ji = -c_ij, and the matching can be used without the order of the faces here;
+// only where both halfedges have the same angle, c_ij is -pi from both sides.
 inline double transport_across(const Cut_surface& surface, const Dual_edge& e)
 {
   const double angle = halfedge_angle(surface, e.halfedge) - halfedge_angle(surface, e.opposite); // between +-2 pi
@@ -53,6 +54,7 @@ inline int number_dual_edges(Cut_surface& surface)
   return number;
 }
 
+// Sets the dual edges of a surface with patches and angles, their transports and their weights.
 template <typename ConcurrencyTag>
 void collect_dual_edges(Cut_surface& surface, const Edge_weighting weighting)
 {

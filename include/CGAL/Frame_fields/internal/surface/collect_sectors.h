@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What a cut surface holds for the sectors of one patch.
+// The sectors of one patch, as `Cut_surface` describes them.
 struct Patch_sectors
 {
   std::vector<int> first_corner;
@@ -36,7 +36,7 @@ struct Patch_sectors
   int size() const { return static_cast<int>(first_corner.size()); }
 };
 
-// Gives the corners of the sector of `corner` the next number and adds up their angles.
+// Appends the sector of `corner`: gives its corners the next number and adds up their angles.
 inline void add_sector(const int corner, Cut_surface& surface, Patch_sectors& sectors)
 {
   const auto add_from = [&](const int first_corner)
@@ -52,7 +52,7 @@ inline void add_sector(const int corner, Cut_surface& surface, Patch_sectors& se
     const bool is_closed = !surface.is_constrained(last_corner);
     return std::make_pair(is_closed, total_angle);
   };
-  // Most sectors are closed: only for the others it pays to look for the clockwise-most corner.
+  // Most sectors are closed: the clockwise-most corner is looked for in the others only.
   int first_corner = corner;
   auto [is_closed, total_angle] = add_from(corner);
   if(!is_closed)
@@ -77,6 +77,8 @@ inline Patch_sectors collect_sectors_of_patch(Cut_surface& surface, const Patch&
   return result;
 }
 
+// Sets the sectors of a surface with patches, opposites and angles. The sectors of a patch are numbered in the order of
+// their first corners. Takes linear time.
 template <typename ConcurrencyTag>
 void collect_sectors(Cut_surface& surface)
 {

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Tells whether a number is the nearest `double` of a decimal number with this many significant digits.
+// Tells whether a number is the `double` nearest to a decimal number with this many significant digits.
 inline bool has_decimal_digits(const double number, const int number_of_digits)
 {
   char text[40];
@@ -32,9 +32,10 @@ inline bool has_decimal_digits(const double number, const int number_of_digits)
   return std::strtod(text, nullptr) == number;
 }
 
-// How far rounding may have moved a coordinate before it was stored. Many files hold numbers of type `float`, or
-// decimal numbers of a few digits: what was a plane is one within that rounding only. It is seen in the numbers
-// themselves; a list of numbers of full precision shows in the first few that it is none of these.
+// How far rounding may have moved a coordinate before it was stored, in units of the points, which must be finite; 0 if
+// all coordinates are zero. Many files hold numbers of type `float`, or decimal numbers of 6 to 15 digits: what was a
+// plane is one within that rounding only. The numbers themselves tell which; numbers of full precision are recognized
+// after the first few of them. Takes linear time.
 inline double coordinate_rounding(const std::vector<Coordinates>& points)
 {
   const int fewest_digits = 6, most_digits = 15;

@@ -24,22 +24,22 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The two smaller angles of a triangle leave this for the largest one, so that the three have the sum pi as far as
-// rounding allows, and sums of turning angles close up around every vertex.
+// The largest angle of a triangle from the two others, in radians: the sum of the three is pi as far as rounding
+// allows, so that sums of turning angles close up around every vertex.
 inline double largest_angle(const double angle, const double other_angle)
 {
   return (std::max)(0., CGAL_PI - (angle + other_angle));
 }
 
-// The angles at the points of a triangle from its edges, where edge[k] runs from point k to the next point and none is
-// so long or short that a product of four lengths overflows or underflows.
+// The angles at the points of a triangle from its edges, where edge[k] runs from point k to the next point. No edge may
+// be so long or short that a product of four lengths overflows or underflows.
 inline std::array<double, 3> corner_angles_of_edges(const std::array<Coordinates, 3>& edge)
 {
   const std::array<double, 3> squared_length{ dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2]) };
   const int longest =
     static_cast<int>(std::max_element(squared_length.begin(), squared_length.end()) - squared_length.begin());
   const int second = (longest + 1) % 3, third = (longest + 2) % 3;
-  const Coordinates normal = cross(edge[second], edge[third]); // of the shorter edges: needles are accurate
+  const Coordinates normal = cross(edge[second], edge[third]); // of the shorter edges, accurate for needles
   const double squared_normal = dot(normal, normal), smallest = 0x1p-900;
   const double twice_area = squared_normal > smallest ? std::sqrt(squared_normal) : length(normal);
   std::array<double, 3> angle;
@@ -49,7 +49,7 @@ inline std::array<double, 3> corner_angles_of_edges(const std::array<Coordinates
   return angle;
 }
 
-// The same for edges that must be scaled.
+// The same for edges of any length: each one is scaled by a power of two.
 inline std::array<double, 3> corner_angles_with_scaling(const std::array<Coordinates, 3>& points)
 {
   std::array<Coordinates, 3> edge;
@@ -67,8 +67,8 @@ inline std::array<double, 3> corner_angles_with_scaling(const std::array<Coordin
   return angle;
 }
 
-// Returns the angles at `points` of a triangle without zero-length edge. They are those of an exact triangle: the
-// rounding error of their sum goes to the largest one.
+// The angles at `points` of a triangle, in radians. No edge may have length zero; the points must be finite. The
+// largest angle takes the rounding error of the sum, so that the sum is pi as far as rounding allows.
 inline std::array<double, 3> corner_angles(const std::array<Coordinates, 3>& points)
 {
   const double smallest = 0x1p-200, largest = 0x1p200;

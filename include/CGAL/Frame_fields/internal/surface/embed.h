@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Reads where a cut mesh lies in space. The vertices are numbered in the order in which the halfedges meet them;
-// isolated vertices have no number.
+// Reads where a cut mesh lies in space. The vertices are numbered in the order in which the flat halfedges first point
+// to them; isolated vertices have no number. Points are in units of `length_unit`. Takes linear time.
 template <typename CutMesh>
 Surface_embedding embed(const CutMesh& cut_mesh)
 {

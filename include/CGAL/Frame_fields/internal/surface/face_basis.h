@@ -21,6 +21,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The unit vector along a vector, which must not be zero.
 inline Coordinates normalized(const Coordinates& u)
 {
   return u / length(u);
@@ -37,7 +38,7 @@ inline Coordinates perpendicular(const Coordinates& u)
 }
 
 // The unit vector a quarter turn counter-clockwise from the unit vector `b` along the first edge of a triangle, whose
-// next edge runs along `next_edge`.
+// next edge runs along `next_edge`. In a triangle without area, some unit vector perpendicular to `b`.
 inline Coordinates quarter_turn(const Coordinates& b, const Coordinates& next_edge)
 {
   const Coordinates normal = cross(b, next_edge);
@@ -46,9 +47,10 @@ inline Coordinates quarter_turn(const Coordinates& b, const Coordinates& next_ed
   return normalized(cross(normalized(normal), b));
 }
 
-// The unit vector along the first edge of a triangle and the one a quarter turn counter-clockwise from it.
+// The unit vector along the first edge of a triangle and the unit vector a quarter turn counter-clockwise from it.
 typedef std::array<Coordinates, 2> Face_basis;
 
+// The basis of the triangle p, q, r, whose first edge pq must not have length zero.
 inline Face_basis face_basis(const Coordinates& p, const Coordinates& q, const Coordinates& r)
 {
   const Coordinates b = normalized(scaled_direction(p, q));

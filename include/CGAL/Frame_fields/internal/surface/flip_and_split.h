@@ -29,7 +29,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Reads the points in the order of vertices(tm), and checks what the refinement takes for granted.
+// Appends the points in the order of vertices(tm), and checks what the refinement takes for granted: all coordinates
+// are finite and all faces are triangles. An error names the first vertex or face that is not.
 template <typename TriangleMesh, typename Mesh>
 Result read_for_refinement(const TriangleMesh& tm, const Mesh& mesh, std::vector<Coordinates>& points)
 {
@@ -43,8 +44,9 @@ Result read_for_refinement(const TriangleMesh& tm, const Mesh& mesh, std::vector
   return mesh.check_triangles();
 }
 
-// A number of faces that the refined mesh has at least: a triangle with edges up to `length` has at most the area of
-// the equilateral one, and an edge is divided into pieces up to `length`.
+// An estimate from below of the number of faces of the refined mesh: a triangle with edges up to `length` has at most
+// the area of the equilateral one, and an edge is divided into pieces up to `length`. The latter counts the edges
+// before any flip, so that it is too large where flips shorten many edges.
 template <typename TriangleMesh, typename Mesh>
 double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const double length)
 {
@@ -61,8 +63,9 @@ double least_number_of_faces(const TriangleMesh& tm, const Mesh& mesh, const dou
   return (std::max)(number_by_area, number_of_edges / 3);
 }
 
-// Flips those of the given edges that want it, then splits all down to lengths that get shorter by and by, with flips
-// after each.
+// Flips those of the given edges that are not Delaunay. Then splits edges in rounds down to `maximum_edge_length`: each
+// round splits those longer than a bound, which falls by `ratio` from round to round, and flips around the splits. Adds
+// the numbers of flips and splits to the statistics.
 template <typename TriangleMesh, typename Flips, typename Splits>
 void flip_and_split(TriangleMesh& tm,
                     const std::deque<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>& flipped_first,

@@ -28,6 +28,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// The numbers of the patches, those with the most faces first.
 inline std::vector<int> patches_by_decreasing_size(const Cut_surface& surface)
 {
   std::vector<int> numbers(surface.patches.size());
@@ -38,8 +39,9 @@ inline std::vector<int> patches_by_decreasing_size(const Cut_surface& surface)
   return numbers;
 }
 
-// Calls `stage(patch_number)` for every patch and returns the result of the first patch that fails. Each call must
-// write to its own patch only; the output does not depend on the number of threads.
+// Calls `stage(patch_number)` for every patch, also after a failure, and returns the result of the failed patch with
+// the smallest number, or success. Each call must write to its own patch only; then the output does not depend on the
+// number of threads.
 template <typename ConcurrencyTag, typename Stage>
 Patch_result for_each_patch(const Cut_surface& surface, const Stage& stage)
 {

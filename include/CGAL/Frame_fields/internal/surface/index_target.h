@@ -26,15 +26,17 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The largest 4 I that a quadrangle mesh can have: one quadrangle at a sector on a constrained edge, three inside.
+// The largest 4 I for which there is a quadrangle mesh: one quadrangle at a sector on constrained edges, three at a
+// sector inside.
 constexpr int maximum_meshable_index = 1;
 
-// The largest |4 I| that may be asked for: indices move by 1/4, and more turns are no use.
+// The largest |4 I| that a caller may ask for. The repair moves indices by 1/4 at a time, so the bound limits its
+// steps.
 constexpr int largest_index_target = 1000;
 
-// Angles that differ by less count as equal where a number of quadrangles depends on them, in radians: coordinates of
-// 7 digits give edges of a thousandth of the model their directions as exactly. Octagons and chamfers of 45 degrees are
-// common, and all their corners must fall to the same side.
+// Angles that differ by less count as equal where a number of quadrangles depends on them, in radians: coordinates of 7
+// digits give the directions of edges of a thousandth of the model within this. Octagons and chamfers of 45 degrees are
+// common, and all their corners must be rounded the same way.
 constexpr double angle_tolerance = 1e-3;
 
 // Whether a sector on constrained edges has an angle below `bound`, in radians.
@@ -50,7 +52,7 @@ inline int natural_number_of_quads(const double total_angle)
   return (std::max)(1, static_cast<int>(std::floor(2 * (total_angle + angle_tolerance) / CGAL_PI + 0.5)));
 }
 
-// 4 I of that number on constrained edges; 0 inside.
+// 4 I of a sector with the natural number of quadrangles if it is on constrained edges; 0 inside.
 inline int natural_index(const Cut_surface& surface, const int sector)
 {
   return surface.is_constrained_sector(sector) ? 2 - natural_number_of_quads(surface.total_angle[sector]) : 0;
@@ -72,14 +74,15 @@ inline bool is_prescribed_corner(const Cut_surface& surface, const int sector, c
           && surface.is_constrained_sector(sector));
 }
 
-// A sector on constrained edges that does not have its natural index, or one inside with less than three quadrangles.
+// Whether a sector on constrained edges does not have its natural index, or one inside has less than three quadrangles.
+// `index` is 4 I per sector.
 inline bool is_unnatural(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
   return surface.is_constrained_sector(sector) ? index[sector] != natural_index(surface, sector)
                                                : index[sector] > maximum_meshable_index;
 }
 
-// 4 I that the caller gave for a sector, or the natural one.
+// 4 I that the caller gave for a sector, or else the natural one.
 inline int target_of_sector(const Cut_surface& surface, const int sector)
 {
   const bool is_given = !surface.index_target.empty() && surface.index_target[sector] != NO_INDEX_TARGET;
@@ -95,7 +98,7 @@ inline bool has_index_targets(const Cut_surface& surface, const Patch& patch)
                      [](const int target) { return target != NO_INDEX_TARGET; });
 }
 
-// What the targets of a patch lack to 4 times its Euler characteristic.
+// 4 times the Euler characteristic of a patch less the sum of its targets.
 inline long long missing_index(const Cut_surface& surface, const Patch& patch)
 {
   long long missing = 4LL * euler_characteristic(patch);

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Vertices less edges plus faces of a patch that is cut along its constrained edges.
+// The number of vertices less that of edges plus that of faces of a patch that is cut along its constrained edges.
 inline int euler_characteristic(const Patch& patch)
 {
   const int number_of_constrained_sides = 3 * patch.faces.size() - 2 * patch.dual_edges.size();
@@ -77,6 +77,7 @@ inline std::vector<int> face_order_by_patches(const std::vector<int>& patch_of_f
   return order;
 }
 
+// The opposites of the halfedges after the faces are sorted: face `face_order[f]` becomes face f.
 inline std::vector<int> reorder_opposites(const std::vector<int>& opposite, const std::vector<int>& face_order)
 {
   std::vector<int> new_face(face_order.size());

@@ -29,10 +29,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Refines the triangles of a copy that are long against the quads to come, and leaves the others as they are: edges of
-// theirs that lie in planes are flipped until they are Delaunay, and all edges longer than `maximum_edge_length` are
-// split, unless there would be more than `maximum_number_of_faces`; then the longest. Lengths count as the densities of
-// the copy tell. `unit` is the length in the copy of 1 in the mesh whose coordinates were rounded.
+// Refines the triangles of a copy that have an edge longer than `maximum_edge_length`. If `may_flip`, their edges
+// inside planes are flipped until they are Delaunay, with edges around them where a flip makes it necessary. Then all
+// edges that are too long are split, the longest first, until there are `maximum_number_of_faces` or one more. Lengths
+// are in units of the copy, multiplied by its densities. `unit` is the length in the copy of what has length 1 in the
+// caller's mesh, whose coordinates were rounded.
 template <typename NamedParameters>
 Refinement_statistics refine_working_copy(Working_mesh& copy, const NamedParameters& np, const double unit,
                                           const double maximum_edge_length, const double maximum_number_of_faces,

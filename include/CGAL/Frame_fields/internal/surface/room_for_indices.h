@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// How many sectors inside a patch lacks: with the natural indices on its constrained edges, those inside must sum to
-// what these leave of the Euler characteristic, and each shall have 1/4 or -1/4 at most.
+// How many sectors inside a patch lacks. If the sectors on its constrained edges have their natural indices, those
+// inside must sum to the rest of the Euler characteristic, and none shall have an index beyond 1/4 or -1/4.
 inline long long missing_sectors_inside(const Cut_surface& surface, const Patch& patch)
 {
   long long remaining_index = 4LL * euler_characteristic(patch), number_inside = 0;
@@ -39,9 +39,10 @@ inline long long missing_sectors_inside(const Cut_surface& surface, const Patch&
   return (std::max)(0LL, std::abs(remaining_index) - number_inside);
 }
 
-// The unconstrained edges to split in two so that no patch lacks sectors inside, the longest ones of each patch. Where
-// they are too few, all of them, and the patch must be asked again. `surface.length` must be given. Sorts the edges of
-// patches that lack sectors; linear otherwise.
+// The dual edges whose edges are to be split in two so that no patch lacks sectors inside: the longest ones of each
+// patch. If a patch has too few edges, all of them are returned, and the function must be called again after the
+// splits. `surface.length` must be given. Takes O(n log n) time for a patch of n edges that lacks sectors, linear time
+// otherwise.
 inline std::vector<int> edges_that_make_room(const Cut_surface& surface)
 {
   std::vector<int> result; // dual edges

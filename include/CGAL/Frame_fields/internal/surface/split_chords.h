@@ -25,13 +25,14 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Returns the number of edges that were split. All faces must be triangles.
+// Splits the chords at their midpoints: the unconstrained edges with both ends on constrained edges. Returns the number
+// of edges that were split. All faces must be triangles. Every edge looks at the edges around its ends.
 template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
-  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // its target
+  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // the target of h
   {
     for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
       if(mesh.is_constrained(around))

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A point inside the triangle: its centroid, or on a degenerate triangle whose centroid is a vertex some other point.
-// `weights` gets those of the vertices.
+// A point inside a triangle: its centroid, or some other point if the triangle has no area and its centroid is a
+// vertex. Sets `weights` to those of the vertices.
 template <typename Point, typename GeomTraits>
 Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTraits traits,
                    std::array<double, 3>& weights)
@@ -41,14 +41,15 @@ Point point_inside(const Point& p, const Point& q, const Point& r, const GeomTra
   return traits.construct_barycenter_3_object()(p, 3, q, 2, r, 1);
 }
 
-// Returns the number of faces that were split. All must be triangles.
+// Splits each face that has more than one constrained edge in three, at a point inside. Returns the number of faces
+// that were split. All faces must be triangles. Takes linear time.
 template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_faces_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
-  // One halfedge of each face, kept apart from the changing face range.
+  // One halfedge of each face to split, collected first, since splits change the range of faces.
   std::vector<halfedge_descriptor> overconstrained;
   for(const auto f : faces(tm))
   {

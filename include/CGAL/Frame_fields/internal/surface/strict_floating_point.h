@@ -12,8 +12,9 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_SURFACE_STRICT_FLOATING_POINT_H
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_STRICT_FLOATING_POINT_H
 
-// Refuses compilers' options that break what is computed here. Some let the compiler take every number for finite,
-// which removes the tests for infinity and NaN; others let it change the order of sums, which exact predicates rely on.
+// Rejects compiler options that break the computations of this package. Some let the compiler assume that every number
+// is finite, which removes the tests for infinity and NaN; others let it change the order of sums, on which exact
+// predicates rely.
 #if (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__FAST_MATH__) \
     || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "Frame_fields needs infinity, NaN and the order of sums: compile without -ffast-math (or its parts), /fp:fast"

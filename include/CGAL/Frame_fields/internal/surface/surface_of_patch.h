@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The values of consecutive elements, or none if there are none of any element.
+// The values of consecutive elements; empty if `values` is.
 template <typename T>
 std::vector<T> part_of(const std::vector<T>& values, const Index_range& range)
 {
@@ -33,7 +33,8 @@ inline Index_range halfedges_of_patch(const Patch& patch)
   return { 3 * patch.faces.begin_index, 3 * patch.faces.end_index };
 }
 
-// One patch as a surface of its own, without index targets. Its elements keep their order.
+// One patch as a surface of its own, without index targets. Its elements keep their order and are numbered from 0.
+// Takes time linear in the patch.
 inline Cut_surface surface_of_patch(const Cut_surface& surface, const Patch& patch)
 {
   const Index_range halfedges = halfedges_of_patch(patch);

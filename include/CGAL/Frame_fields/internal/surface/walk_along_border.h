@@ -18,13 +18,14 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The constrained halfedge that follows `halfedge` on the border of its patch.
+// The constrained halfedge that follows the constrained `halfedge` on the border of its patch. The cost is the number
+// of corners between them.
 inline int next_on_border(const Cut_surface& surface, const int halfedge)
 {
   return next_of(clockwise_most_corner(surface.opposite, halfedge));
 }
 
-// The constrained halfedge that precedes `halfedge` on the border of its patch.
+// The constrained halfedge that precedes the constrained `halfedge` on the border of its patch, at the same cost.
 inline int previous_on_border(const Cut_surface& surface, const int halfedge)
 {
   int corner = previous_of(halfedge);

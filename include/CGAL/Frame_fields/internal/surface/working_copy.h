@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The halfedges of the copy that the halfedges of a surface become. They get numbers in pairs, those of the border a
-// partner without face.
+// The numbers in the copy of the halfedges of a surface. Opposite halfedges get the numbers 2e and 2e + 1; the opposite
+// of a border halfedge is one without a face.
 inline std::vector<int> halfedges_of_copy(const Cut_surface& surface, const Surface_embedding& embedding)
 {
   std::vector<int> number(surface.number_of_halfedges(), -1);
@@ -40,8 +40,9 @@ inline std::vector<int> halfedges_of_copy(const Cut_surface& surface, const Surf
   return number;
 }
 
-// A copy of a cut mesh, in the length unit of the surface, that may be refined. Face f of the copy is face f of the
-// surface, vertex v is vertex v of the embedding.
+// A copy of a cut mesh for refinement, in units of `length_unit`. It is not cut: constrained edges are marked. Face f
+// of the copy is face f of the surface, vertex v is vertex v of the embedding. Takes time linear in the mesh and in the
+// degrees of border vertices.
 inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embedding& embedding)
 {
   typedef Working_mesh::Vertex Vertex;
@@ -75,7 +76,8 @@ inline Working_mesh working_copy(const Cut_surface& surface, const Surface_embed
   {
     if(embedding.twin[h] >= 0)
       continue;
-    // The border goes on with the partner of the border halfedge that ends where this partner does.
+    // After the opposite of h, the border goes on with the opposite of the border halfedge that ends at the source of
+    // h.
     int before = previous_of(h);
     while(embedding.twin[before] >= 0)
       before = previous_of(embedding.twin[before]);
