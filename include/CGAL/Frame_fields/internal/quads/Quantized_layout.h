@@ -266,9 +266,8 @@ private:
     bound_arcs_of_other_patches();
   }
 
-  // The least number of edges of a piece or arc. The quadratic costs rate half as many edges as wanted no worse than
-  // half as many too many. So edges may not be longer than about twice the wanted length, unless the caller wants
-  // numbers.
+  // The least number of edges of a piece or arc. The quadratic costs rate half of the wanted number no worse than one
+  // and a half times it. So no edge may be longer than about twice the wanted length, unless the caller fixes numbers.
   int least_count(const double target) const
   {
     const double largest_count = 1e8;
