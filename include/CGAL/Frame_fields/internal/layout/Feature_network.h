@@ -26,14 +26,14 @@ struct Feature_arc
   bool is_loop; // without node
 };
 
-// The feature and border edges as arcs between nodes: vertices that have not exactly two constrained edges, or a sector
-// on them that is not regular, or that the caller marked.
+// The feature and border edges as arcs between nodes. A vertex on constrained edges is a node if the number of these
+// edges is not two, if one of its sectors has a nonzero index, or if the caller marked it.
 struct Feature_network
 {
   std::vector<Feature_arc> arcs;
   std::vector<int> arc;       // per halfedge: its arc, -1 if it is not constrained
-  std::vector<int> place;     // per halfedge: its place in the list of its arc, or that of its twin
-  std::vector<char> is_node;  // per vertex
+  std::vector<int> place;     // per halfedge: its place in the list of its arc, or that of its twin; -1 likewise
+  std::vector<char> is_node;  // per vertex of the surface's embedding
 };
 
 } // namespace internal

@@ -32,12 +32,13 @@ namespace internal {
 // perpendicular trace was before. Two traces that run against each other meet halfway and become one line.
 //
 // The points where traces cross have integer coordinates, so that the times are integers; no other point is needed.
-// A trace enters a face not later than at the time of its entry, in the order of the queue, and is compared there with
-// all traces that did so. Thus whatever happens at a time is known before anything of this time is decided.
+// The queue lets a trace into a face at the time of its entry or before. The trace is then compared with all traces
+// that are in the face already. Thus all events of a time are in the queue before the first trace is ended at this
+// time.
 class Motorcycle_graph
 {
 public:
-  // A crossing, of which both traces tell.
+  // A crossing is stored twice, once for each of its two traces.
   typedef std::pair<Trace_passing, T_mesh_location> Crossing;
 
   Motorcycle_graph(const Seamless_charts& charts, const Patch& patch)
@@ -59,7 +60,8 @@ public:
   }
 
   // Runs until all traces have ended. Returns false if the map cannot be a certified one, or if the traces need too
-  // much room: more than 100,000 segments and 256 per face, 100 times as many comparisons or 10 times as many events.
+  // much room. With S = 100,000 + 256 times the number of faces, the bounds are S segments, 100 S comparisons and 10 S
+  // events.
   bool run()
   {
     for(int trace = 0; trace < static_cast<int>(m_traces.size()); ++trace)

@@ -91,7 +91,8 @@ public:
   Grid_vector point(const int corner) const { return { m_map.u[corner], m_map.v[corner] }; }
   Grid_vector edge(const int halfedge) const { return point(halfedge) - point(previous_of(halfedge)); }
 
-  // The same in the chart on the other side of an unconstrained halfedge.
+  // Take a direction, a point or a ray from the chart of the face of an unconstrained halfedge to the chart on its
+  // other side.
   int direction_across(const int halfedge, const int direction) const
   {
     return (direction + m_map.quarter_turns[halfedge]) & 3;
@@ -191,8 +192,9 @@ public:
     return { static_cast<std::int64_t>(std::floor(first)) - 8, static_cast<std::int64_t>(std::ceil(last)) + 8 };
   }
 
-  // The face into which a ray goes from its origin, a point inside `face` or inside an unconstrained edge of it, or to
-  // the left of which it goes along the edge; `direction` is that of the ray in the chart of the result.
+  // The face into which a ray goes from its origin. The origin must be inside `face` or inside one of its edges. If the
+  // ray runs along this edge, the result is the face to the left of the ray. -1 if the ray leaves the patch.
+  // `direction` is the direction of the ray in the chart of the result.
   int face_ahead(const int face, const Grid_ray& ray, int& direction) const
   {
     direction = ray.direction;
@@ -211,7 +213,8 @@ public:
     return face;
   }
 
-  // The length in space of a vector of length 1 in a direction.
+  // The length in space of a vector of length 1 in a direction of the chart of a face, in the unit of
+  // `Cut_surface::length`.
   double length_of_unit(const int face, const int direction) const
   {
     const int h = 3 * face;

@@ -27,10 +27,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The cells of a T-mesh, as the loops of its pieces that have the cell to their left.
+// The cells of a T-mesh. Each is found as the loop of the pieces that have the cell to their left.
 //
-// A cell has no singular sector inside and turns to the left or not at all at each of its nodes. By the theorem of
-// Gauss and Bonnet the number of its corners is four times its Euler characteristic, so that it is a disk with four.
+// A cell has no singular sector inside, and at each of its nodes its boundary turns left or goes straight on. By the
+// theorem of Gauss and Bonnet, the number of its corners is four times its Euler characteristic. So a cell with corners
+// is a disk with four corners.
 class T_mesh_cells
 {
 public:

@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The pieces of a T-mesh, and which of them leave a node. They do so by its slots, one for each quarter turn,
-// counter-clockwise. On the border slot 0 is along the halfedge that leaves the node, and the last one along that which
-// comes to it.
+// The pieces of a T-mesh, and the slots by which they leave its nodes. A node has a slot for each quarter turn,
+// counter-clockwise. At a node on the border, slot 0 runs along the border halfedge that leaves the node, and the last
+// slot along the border halfedge that comes to it.
 class T_mesh_graph
 {
 public:
@@ -142,7 +142,8 @@ private:
              length_until(trace.double_time_of_end) };
   }
 
-  // The length in space of a trace from a time to another one, to which `time` is changed, and `segment` to that of it.
+  // The length in space of a trace between two times. `time` is the first time and becomes `end`; `segment` is the
+  // segment of the trace at the first time and becomes the segment at `end`.
   double length_of_part(const std::vector<Trace_segment>& segments, const double end, double& time,
                         int& segment) const
   {
@@ -170,7 +171,7 @@ private:
       add_piece({ a.node, b.node, double_length / 2, a.length + b.length, -1 }, a.slot, b.slot);
   }
 
-  // Goes round the border loop to its first node, and once more back to it.
+  // Goes around a border loop: first to a node, and from there once around, back to this node.
   void add_pieces_of_loop(const int first_halfedge, std::vector<char>& is_visited)
   {
     T_mesh_piece piece = { -1, -1, 0, 0, -1 };

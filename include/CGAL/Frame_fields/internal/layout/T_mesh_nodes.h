@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A node that a trace passes. The slots are its directions there: of the piece ahead, and of the one behind in reverse.
+// A node on a trace. `slot` is the direction at the node of the piece of the trace ahead, `slot_of_return` that of the
+// piece behind, seen from the node.
 struct Trace_stop
 {
   int trace;
@@ -128,7 +129,8 @@ private:
                            l.sector < 0 ? l.point.v : 0);
   }
 
-  // Nodes are numbered along the traces, whatever the charts are.
+  // Gives each location one node. The nodes are numbered along the traces, so that the numbers do not depend on the
+  // charts.
   void add_nodes_of_stops()
   {
     const auto key_of_stop = [this](const int i)
@@ -192,7 +194,7 @@ private:
   std::vector<T_mesh_node> m_nodes;
   std::vector<int> m_node_of_sector;     // per sector of the patch
   std::vector<Trace_stop> m_trace_stops;
-  std::vector<T_mesh_location> m_locations; // per stop as they were found
+  std::vector<T_mesh_location> m_locations; // per stop, in the order in which they were found
   std::vector<Border_stop> m_border_stops;
   std::vector<int> m_first_border_stop;  // per halfedge of the patch, and behind the last one
 };

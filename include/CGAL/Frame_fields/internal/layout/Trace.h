@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Where a trace ends or crosses another one: at the vertex of a sector, on a constrained halfedge, or at a point
-// elsewhere, in the one chart that is chosen for it if it is on an edge.
+// Where a trace ends or crosses another one: at the vertex of a sector, on a constrained halfedge, or at another point.
+// A point on an unconstrained edge is always given in the same one of the two charts.
 struct T_mesh_location
 {
   int sector;   // -1 elsewhere
@@ -79,7 +79,8 @@ struct Trace_event
   T_mesh_location location;     // with CROSS
 };
 
-// The events in the order of their times; before any trace is ended at a time, all have advanced up to it.
+// The events in the order of their times. At equal times, advances come before meetings and meetings before crossings:
+// all traces have advanced up to a time before any trace is ended at it.
 class Trace_event_queue
 {
 public:

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The segments of all traces, by faces, and their arrivals at regular vertices. What is new is compared with what is
-// there, and where two traces meet or cross, the event is put into the queue.
+// The segments of all traces, by faces, and the arrivals of traces at regular vertices. Each new segment or arrival is
+// compared with the earlier ones; where two traces meet or cross, the event is put into the queue.
 class Trace_encounters
 {
 public:
@@ -109,7 +109,7 @@ private:
       push_meeting(first.trace, second.trace, first.ray.time(second.ray.origin));
   }
 
-  // Vertices have their own lists. A point on an edge gets the chart of the smaller one of its halfedges.
+  // Crossings at vertices are left to `add_arrival()`. A point on an edge gets the chart of the smaller halfedge.
   void cross_in_face(const int a, const int b)
   {
     ++m_number_of_comparisons;
@@ -142,7 +142,8 @@ private:
                   { m_segments[b].trace, ray_b.time(point), (ray_b.direction + turns) & 3 }, location);
   }
 
-  // Two traces on one line, against each other; `distance` is that of their starts, negative if they run apart.
+  // Two traces on one line in opposite directions. `distance` is the distance of their starts, which is twice the time
+  // at which they meet; it is negative if they run apart.
   void push_meeting(const int a, const int b, const std::int64_t distance)
   {
     if(a != b && distance > 0 && m_traces[a].reaches(distance) && m_traces[b].reaches(distance))
@@ -166,7 +167,7 @@ private:
   Trace_event_queue& m_queue;
   std::vector<Trace_segment> m_segments;
   std::vector<std::vector<Line> > m_lines;                // per face of the patch: along u and along v, sorted
-  std::vector<std::pair<Trace_passing, int> > m_arrivals; // and the one before at the same vertex
+  std::vector<std::pair<Trace_passing, int> > m_arrivals; // with the arrival before at the same vertex, -1 if none
   std::vector<int> m_first_at_vertex;                     // per sector of the patch: the last arrival
   std::size_t m_number_of_comparisons = 0;
 };

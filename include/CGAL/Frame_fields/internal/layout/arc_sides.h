@@ -49,6 +49,7 @@ inline bool is_at_network_node(const Cut_surface& surface, const Surface_embeddi
   return node.sector >= 0 && network.is_node[embedding.vertex[surface.first_corner[node.sector]]];
 }
 
+// Adds the pieces of the T-mesh of one patch to the sides of the arcs. On a loop they begin with any of its pieces.
 inline void collect_sides_of_patch(const Cut_surface& surface, const Surface_embedding& embedding,
                                    const Feature_network& network, const T_mesh& t_mesh,
                                    Arc_sides& sides)
@@ -82,7 +83,7 @@ inline void collect_sides_of_patch(const Cut_surface& surface, const Surface_emb
         collect_from(static_cast<int>(p));
 }
 
-// `t_meshes` has one T-mesh per patch, without cells where there is none.
+// Collects the sides of all arcs, in linear time. `t_meshes` has one T-mesh per patch, an empty one if there is none.
 inline Arc_sides collect_arc_sides(const Cut_surface& surface, const Surface_embedding& embedding,
                                    const Feature_network& network, const std::vector<T_mesh>& t_meshes)
 {

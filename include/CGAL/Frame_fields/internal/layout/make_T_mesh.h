@@ -35,9 +35,11 @@ enum class T_mesh_status
 {
   COMPLETE,
   NOT_CERTIFIED,      // the patch has no certified map
-  TOO_LONG,           // the traces exceed the bounds of `Motorcycle_graph::run()`
-  WRONG_SECTOR,       // a sector has not the ports of its index; neither this nor what follows is so in certified maps
-  OVERLAPPING_PIECES,
+  TOO_LONG,           // `Motorcycle_graph::run()` failed: the traces exceed its bounds, or the map is wrong
+
+  // These do not happen in a certified map.
+  WRONG_SECTOR,       // a sector does not have as many ports as its index says
+  OVERLAPPING_PIECES, // or a piece without length
   NO_RECTANGLES       // a cell is no rectangle, or not all cells are disks
 };
 
@@ -97,8 +99,8 @@ private:
     return quads >= 1 && static_cast<int>(ports.size()) == expected;
   }
 
-  // Without ports all sectors are regular or corners, of which a patch has four times its Euler characteristic: it is
-  // a torus, an annulus, or a rectangle, which needs no port.
+  // Without ports all sectors are regular or convex corners, and the number of corners is four times the Euler
+  // characteristic. So the patch is a torus, an annulus, or a rectangle. A rectangle needs no ports.
   bool is_torus_or_annulus() const
   {
     return m_motorcycles.traces().empty() && euler_characteristic(m_patch) == 0;
@@ -128,8 +130,9 @@ private:
   Motorcycle_graph m_motorcycles;
 };
 
-// The T-mesh of one of the patches of `surface`, which may run in parallel. `index` is 4 I per sector. A sector with
-// `is_arc_node` becomes a node, and so does every one that is not regular.
+// The T-mesh of a patch. `patch` must be an element of `surface.patches`; different patches may run in parallel.
+// `index` (4 I) and `is_arc_node` are per sector of the whole surface. A sector with `is_arc_node` becomes a node, and
+// so does every sector with a nonzero index. A torus and an annulus without such sectors get one node on their own.
 inline T_mesh_result make_T_mesh(const Cut_surface& surface, const Patch& patch, const std::vector<int>& index,
                                  const Seamless_map& map, const std::vector<char>& is_arc_node)
 {

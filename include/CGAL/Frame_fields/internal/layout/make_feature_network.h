@@ -23,12 +23,13 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The vertices where feature arcs end. `index` is 4 I per sector, `is_marked` says which vertices the caller wants to
-// be nodes; empty for none.
+// The vertices where feature arcs end, as a flag per vertex of the embedding; vertices without constrained edges are
+// none. `index` is 4 I per sector. `is_marked` tells per vertex whether the caller wants it to be a node; it is empty
+// if there is no such vertex.
 inline std::vector<char> feature_nodes(const Cut_surface& surface, const Surface_embedding& embedding,
                                        const std::vector<int>& index, const std::vector<char>& is_marked)
 {
-  // A vertex on two constrained edges sees each of them from both sides, or once from the inside of a border.
+  // Each constrained edge counts once: by the larger one of its two halfedges, or by its only one on the border.
   std::vector<int> number_of_edges(embedding.point.size(), 0);
   std::vector<char> is_node(embedding.point.size(), 0);
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
@@ -49,7 +50,8 @@ inline std::vector<char> feature_nodes(const Cut_surface& surface, const Surface
   return is_node;
 }
 
-// The constrained halfedge that comes after h on its side; the other way round its vertex if h ends in a dangling end.
+// The constrained halfedge that follows the constrained halfedge h on the same side. At a dangling end it is the twin
+// of h.
 inline int next_constrained(const Cut_surface& surface, const int h)
 {
   int next = next_of(h);
@@ -58,7 +60,7 @@ inline int next_constrained(const Cut_surface& surface, const int h)
   return next;
 }
 
-// The halfedges of the arc, or loop, that `first` is the first one of.
+// The arc, or the loop, whose first halfedge is `first`.
 inline Feature_arc collect_arc(const Cut_surface& surface, const Surface_embedding& embedding,
                                const std::vector<char>& is_node, const int first)
 {
@@ -75,7 +77,8 @@ inline Feature_arc collect_arc(const Cut_surface& surface, const Surface_embeddi
   return arc;
 }
 
-// Collects the arcs between the given nodes.
+// Collects the arcs between the given nodes (a flag per vertex of the embedding), and the loops without node, in linear
+// time.
 inline Feature_network make_feature_network(const Cut_surface& surface, const Surface_embedding& embedding,
                                             const std::vector<char>& is_node)
 {

@@ -25,7 +25,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The vertices of a quad mesh along the feature arcs, and how far each may slide between its neighbours.
+// The vertices of a quad mesh along the feature arcs, and how far each may slide between its neighbours. Lengths are
+// measured from the start of the arc, in the unit of the embedding's points.
 class Arc_order
 {
 public:
@@ -55,7 +56,7 @@ public:
   double length(const int vertex) const { return m_length[vertex]; }
   void set_length(const int vertex, const double length) { m_length[vertex] = length; }
 
-  // The neighbour behind on the arc and the one ahead, -1 at the end of the arc.
+  // The neighbours of a vertex on its arc, -1 beyond the ends of the arc.
   int previous(const int vertex) const { return m_previous[vertex]; }
   int next(const int vertex) const { return m_next[vertex]; }
 
@@ -73,7 +74,7 @@ public:
     return { lower, upper };
   }
 
-  // The position at a length, which may run beyond the ends of a loop.
+  // The position at a length, which may lie beyond the ends of a loop by less than a turn.
   double position(const int arc, double length) const
   {
     const double total = m_arc_points.length(arc);

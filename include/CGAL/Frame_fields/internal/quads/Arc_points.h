@@ -28,8 +28,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Points of feature arcs by their position (the place of a halfedge plus the fraction of it that lies behind) and by
-// their length from the start of the arc.
+// Points of feature arcs, by their position (the place of a halfedge plus the fraction of it that lies behind) or by
+// their length from the start of the arc, in the unit of the embedding's points. Positions and lengths beyond the ends
+// of an arc give its first or last halfedge.
 class Arc_points
 {
 public:
@@ -124,7 +125,7 @@ private:
 
   const Surface_embedding& m_embedding;
   const Feature_network& m_network;
-  std::vector<std::size_t> m_first; // per arc: its first entry in
+  std::vector<std::size_t> m_first; // per arc: its first entry in `m_length`
   std::vector<double> m_length;     // per arc and end of a halfedge: the length up to there
 };
 

@@ -33,9 +33,9 @@ inline double orientation(const Plane_point& p, const Plane_point& q, const Plan
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-// The plane of a cell of a T-mesh, its first corner at the origin and its first side along the positive x-axis, spread
-// over the faces that a walk meets. The position of a face in this plane is exact; only the points that are looked for
-// are rounded.
+// The plane of a cell of a T-mesh, with its first corner at the origin and its first side along the positive x-axis.
+// The faces that a walk meets are laid out in this plane, at exact positions; only the points that are located are
+// rounded.
 class Cell_chart
 {
 public:
@@ -48,7 +48,8 @@ public:
     m_origin = coordinates_in_face(node, cell.face);
   }
 
-  // Walks straight from the point of the last call, at first the origin, to `point`, which must be in the cell.
+  // Walks straight from the point of the last call (from the origin at the first call) to `point` and returns its
+  // location. The point must be in the cell.
   Surface_location locate(const Plane_point& point)
   {
     // More steps than this mean that rounding made the walk turn back and forth at a vertex.

@@ -48,7 +48,7 @@ public:
   const Coordinates& normal(const int corner) const { return m_normal[corner]; }
   void set_normal(const int corner, const Coordinates& normal) { m_normal[corner] = normal; }
 
-  // The sum of those of a quad.
+  // The sum of the normals at the four corners of a quad.
   Coordinates sum(const int quad) const
   {
     const Coordinates* const n = &m_normal[4 * static_cast<std::size_t>(quad)];
@@ -83,7 +83,7 @@ private:
     return m_complex.vertices[m_complex.quads[corner / 4][corner % 4]];
   }
 
-  // Where a corner is at a vertex of the surface: those of all its faces in the patch.
+  // A corner at a vertex of the surface gets the normalized sum over the faces at this vertex in the patch of its quad.
   void add_faces_at_mesh_vertices()
   {
     std::vector<std::vector<int> > corners_at(m_embedding.point.size());

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// How many quads the field asks for around a vertex.
+// How many quads the indices of the field ask for around a vertex of the quads.
 class Expected_valence
 {
 public:

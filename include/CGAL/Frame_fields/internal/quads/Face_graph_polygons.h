@@ -55,6 +55,8 @@ public:
     , m_corner(get(CGAL::dynamic_halfedge_property_t<int>(), mesh))
   {}
 
+  // Reads all faces in linear time, without their vertices that no face has. Fails with `ERROR_MESH_TOO_LARGE` if there
+  // are more than 2^30 corners, and with `ERROR_NON_FINITE_COORDINATE`.
   Result read(Polygon_mesh& polygons) const
   {
     polygons = Polygon_mesh();

@@ -50,6 +50,7 @@ public:
         m_vertex_of_node[n] = add_vertex(location_of_node(m_t_mesh.nodes[n]));
   }
 
+  // Makes a grid of quads in a cell. If two opposite sides have no edges, joins the vertices of the other two instead.
   void fill_cell(const T_mesh_cell& cell)
   {
     const Cell_chart chart(m_layout.surface, m_layout.map, m_t_mesh, cell);
@@ -180,7 +181,7 @@ private:
     }
   }
 
-  // The vertices of a side and their even distribution over each piece.
+  // The vertices of a side, which are spread evenly over each of its pieces.
   Side collect_side(const std::vector<Directed_piece>& side) const
   {
     Side result;
@@ -251,7 +252,7 @@ private:
     }
   }
 
-  // Of the line between the vertices i of bottom and top with that between the vertices j of left and right.
+  // Where the line between the vertices i of bottom and top crosses the line between the vertices j of left and right.
   static Plane_point crossing(const Side& bottom, const Side& right, const Side& top, const Side& left, const int i,
                               const int j)
   {

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A place of the surface near the middle of vertices. A walk from one of them may end at a constrained edge, so it is
-// tried from each.
+// The location on the surface that is nearest to the mean of some vertices, of those where walks from each of them end.
+// A walk may end too early, at a constrained edge.
 inline Surface_location location_amid(const Surface_walker& walker, const Patch_triangulation& triangulation,
                                       const std::vector<int>& vertices)
 {
@@ -105,7 +105,8 @@ private:
     return sum;
   }
 
-  // Twice the area over the square of the longest side, negative for a triangle that does not look up.
+  // Twice the area over the square of the longest side; negative if the normal of the triangle is more than about 73
+  // degrees off that of the surface.
   double shape(const int a, const int b, const int c) const
   {
     const double least_cosine = 0.3;
@@ -120,7 +121,8 @@ private:
     return dot(n, up) >= least_cosine * norm * length(up) ? norm / largest : -norm / largest;
   }
 
-  // The worst shape of the triangles of a vertex but those of an edge, as they are or with another vertex in its place.
+  // The worst shape of the triangles at a vertex if `replacement` were in its place, without the triangles at the edge
+  // of `halfedge` unless it is -1.
   double worst_shape(const int vertex, const int replacement, const int halfedge) const
   {
     const Patch_triangulation& t = m_triangulation;
@@ -169,7 +171,8 @@ private:
     return result;
   }
 
-  // An inner vertex may go along any edge, one of the border along the border if it lies inside a segment.
+  // Whether an edge may be collapsed into its other end: a vertex that is not kept may go along any edge if it is
+  // inside, and along edges of the border if it is on the border.
   bool may_be_removed(const int halfedge, const int vertex) const
   {
     const Patch_triangulation& t = m_triangulation;
@@ -191,6 +194,7 @@ private:
     return true;
   }
 
+  // Collapses edges where that is good: of the border below the length `level`, inside below 4/5 of it.
   void coarsen(const double level)
   {
     Patch_triangulation& t = m_triangulation;
@@ -243,7 +247,7 @@ private:
         t.split_edge(h, middle(h));
   }
 
-  // Moves vertices to the middle of their neighbours.
+  // Moves inner vertices towards the mean of their neighbours, where their triangles stay good or get better.
   void relocate()
   {
     Patch_triangulation& t = m_triangulation;
@@ -281,6 +285,7 @@ private:
         t.split_edge(h, middle(h));
   }
 
+  // Leaves only kept vertices on the border. Returns whether all others could be removed.
   bool finish_border()
   {
     Patch_triangulation& t = m_triangulation;

@@ -34,8 +34,8 @@ struct Patch_vertex
   int mesh_vertex = -1;  // inside the patch: the vertex of the surface that it must stay at, -1 if there is none
 };
 
-// A triangulation of a patch that can be changed. Two vertices may have several edges between them, if only they become
-// different vertices of the quads. Halfedges are numbered as those of `Cut_surface`.
+// A triangulation of a patch that can be changed. Two vertices may have several edges between them, but no edge may
+// join two vertices that become the same vertex of the quads. Halfedges are numbered as those of `Cut_surface`.
 class Patch_triangulation
 {
 public:
@@ -71,7 +71,7 @@ public:
     const int first = clockwise_most_corner(opposite, corner[vertex]);
     if(opposite[next_of(first)] < 0)
       visit(next_of(first));
-    for_each_corner(opposite, first, visit); // each corner is the halfedge to the vertex, on the left of its face
+    for_each_corner(opposite, first, visit); // a corner is a halfedge to the vertex
   }
 
   int other_end(const int halfedge, const int vertex) const

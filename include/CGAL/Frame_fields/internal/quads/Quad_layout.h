@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Where the quads of a patch come from: its T-mesh, triangles of their size, or each triangle of the mesh.
+// Where the quads of a patch come from: its T-mesh, a new triangulation with triangles of about the size of the quads,
+// or the triangles of the mesh, each split into three quads.
 enum class Patch_source { T_MESH, FILLING, SPLIT_TRIANGLES };
 
 // What the stages before the assembly have found: one T-mesh per patch, without cells where the patch has no certified

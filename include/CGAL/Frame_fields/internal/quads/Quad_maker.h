@@ -41,11 +41,12 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// From the T-meshes of the patches to quads.
+// Makes quads from the T-meshes of the patches.
 //
 // Pieces inside patches and on their sides may get no edges, so that tiny ones cost no quads. Then vertices coincide,
-// and the quads may be no mesh any more, or one with other irregular vertices. So each round checks what came out, and
-// raises the bounds of the pieces at fault, or gives up a patch. When all patches are split triangles, all fits.
+// and the quads may not be a manifold any more, or have other irregular vertices than the field. So each round checks
+// its quads, and raises the bounds of the pieces at fault, or gives up a patch. The rounds end at the latest when the
+// triangles of all patches have been split, as these quads always fit together.
 class Quad_maker
 {
 public:
@@ -58,9 +59,10 @@ public:
     , m_valence(surface, embedding, index), m_walker(surface, embedding)
   {}
 
-  // The numbers of edges, with which the next quads are made.
+  // The numbers of edges with which the next quads are made.
   Quantized_layout& layout() { return m_layout; }
 
+  // The mean length of the sides of the quads, in the unit of `Cut_surface::length`; 0 if there are no quads.
   double mean_length_of_sides(const Quad_complex& complex) const
   {
     std::vector<Coordinates> points;
@@ -73,6 +75,7 @@ public:
     return complex.quads.empty() ? 0 : sum / (4 * static_cast<double>(complex.quads.size()));
   }
 
+  // Quantizes and assembles in at most 62 rounds. The quads have no conflicts (see `connect_quads()`).
   Quad_complex make()
   {
     for(m_round = 0; ; ++m_round)
@@ -129,8 +132,8 @@ private:
     int patch, cell;
   };
 
-  // Returns whether all is well; otherwise the bounds have changed. Patches take long to fill, which is of no use as
-  // long as vertices elsewhere coincide.
+  // Makes quads with the present numbers of edges. Returns whether they are without faults; if not, the bounds have
+  // changed or patches are to be given up. Fillings take long, so they are left out while critical vertices coincide.
   bool make_valid(Quad_complex& complex)
   {
     if(m_layout.has_fillings())
@@ -199,7 +202,7 @@ private:
     return complex.vertices[v].vertex >= 0 || complex.vertices[v].arc >= 0 || m_singular_sector[v] >= 0;
   }
 
-  // Joins the vertices that coincide. Returns whether anything was found that must not be, after changing the bounds.
+  // Joins the vertices that coincide and looks for faults. Returns whether there are any, after changing the bounds.
   bool find_faults(Quad_complex& complex)
   {
     const std::vector<int> representative =
@@ -223,6 +226,7 @@ private:
     return raise_at_wrong_valences(complex, representative);
   }
 
+  // Raises bounds of pieces between critical vertices that coincide. Returns whether there are any.
   bool separate_critical_vertices(const Quad_complex& complex, const std::vector<int>& representative)
   {
     std::vector<int> critical(complex.vertices.size(), -1); // per class
@@ -251,7 +255,8 @@ private:
       m_patches_to_give_up.push_back(m_layout.patch_of_piece(unknowns.front()));
   }
 
-  // Sides 0 and 2 of a quad run along sides 0 and 2 of its cell.
+  // Asks for one more edge on the side of the cell that a side of a quad runs along, or gives up the filling that the
+  // quad is of. Sides 0 and 2 of a quad run along sides 0 and 2 of its cell.
   void raise_cell_of(const int side)
   {
     const Quad_origin origin = m_origin[side / 4];
@@ -285,7 +290,8 @@ private:
     return is_any_without;
   }
 
-  // Puts the representative of its class in the place of each vertex, with the freedom of the critical one.
+  // Replaces each vertex by the representative of its class, which gets the location and the freedom of the critical
+  // vertex of the class.
   void join_vertices(Quad_complex& complex, const std::vector<int>& representative)
   {
     if(m_classes.is_empty())
@@ -304,6 +310,8 @@ private:
         v = representative[v];
   }
 
+  // Raises bounds at joined vertices that do not have as many quads as the field asks for. Vertices of fillings and of
+  // split triangles are exempt. Returns whether there are any.
   bool raise_at_wrong_valences(const Quad_complex& complex, const std::vector<int>& representative)
   {
     std::vector<int> valence(complex.vertices.size(), 0);
@@ -322,7 +330,7 @@ private:
         continue;
       const std::vector<int> unknowns = m_classes.unknowns_of_class(representative[v]);
       if(unknowns.empty())
-        continue; // a neighbor of a class that is at fault
+        continue; // the fault is that of a class beside it
       raise_longest_of(unknowns);
       is_any_wrong = true;
     }

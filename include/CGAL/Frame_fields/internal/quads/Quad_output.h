@@ -54,7 +54,7 @@ inline Coordinates point_of(const Cut_surface& surface, const Surface_embedding&
   return point;
 }
 
-// The sides of quads that run along feature arcs, by the pairs of their vertices.
+// Whether the sides of quads run along feature arcs, as a flag per side, in O(n log n).
 inline std::vector<char> sides_on_arcs(const Quad_complex& complex)
 {
   std::vector<std::pair<int, int> > pairs;
@@ -77,7 +77,7 @@ inline std::vector<char> sides_on_arcs(const Quad_complex& complex)
   return result;
 }
 
-// Moved, since a copy may fail when the quads have been written.
+// Moves the statistics to the caller, as a copy might throw after the quads have been written.
 inline void put_statistics(const std::reference_wrapper<Quad_statistics> map, Quad_statistics& statistics)
 {
   map.get() = std::move(statistics);

@@ -33,7 +33,8 @@ struct Quad_request : Target_sizes
   std::vector<char> is_node;        // per vertex: whether arcs must end there; empty if none must
 };
 
-// What the numbers of edges are chosen by, besides the length of edges. Empty is what is the same everywhere.
+// What the numbers of edges are chosen by, besides the target edge length. Without sizes, the first two members are
+// null and empty; without wanted numbers, the third one is empty.
 struct Quad_targets
 {
   const Cut_surface* sized_surface = nullptr; // with the lengths of `sized_surface()`
@@ -51,7 +52,8 @@ inline Cut_surface sized_surface(const Cut_surface& surface, const Surface_embed
   return result;
 }
 
-// Per patch: the length of the edges of as many quads of the same size.
+// Per patch: the edge length with which squares of the same size would be as many as the quads that the density asks
+// for.
 inline std::vector<double> edge_length_of_patches(const Cut_surface& surface, const Surface_embedding& embedding,
                                                   const Quad_request& request)
 {
@@ -62,8 +64,8 @@ inline std::vector<double> edge_length_of_patches(const Cut_surface& surface, co
   return result;
 }
 
-// Reads the numbers that are wanted of arcs. Returns a halfedge that wants another number than one before it on its
-// arc, or a closed arc to have less than three edges; -1 if there is none.
+// Reads the numbers of edges that are wanted on arcs. Returns -1, or the first halfedge at fault: one that wants
+// another number than a halfedge before it on the same arc, or fewer than three edges on a closed arc without node.
 inline int read_numbers_of_arcs(const Quad_request& request, const Feature_network& features,
                                 std::vector<int>& number_of_edges)
 {

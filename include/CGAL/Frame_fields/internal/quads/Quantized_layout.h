@@ -36,12 +36,11 @@ namespace internal {
 
 // The numbers of edges of all arcs and pieces, the unknowns of a network, with the bounds that they must keep.
 //
-// Where there are no such integers, what was only wanted is given up first: that arcs have vertices at all bends, then
-// wanted numbers of edges, then raised bounds, then T-meshes, then fillings. When all patches are split into their
-// triangles, there always are.
+// Where there are no such integers, demands are given up in this order: that arcs have vertices at all bends (only if
+// there are wanted numbers of edges), wanted numbers of edges, raised bounds, T-meshes, fillings. When all patches are
+// split into their triangles, the integers always exist.
 //
-// Where an arc must have a wanted number of edges, what else it and the arcs across from it ask for yields. But the
-// number is given up before a patch is.
+// So a wanted number of edges has precedence over the bends of arcs, but a patch has precedence over the number.
 class Quantized_layout
 {
 public:
@@ -58,11 +57,13 @@ public:
     follow_arcs_within(part_of_edge_length * target_edge_length);
   }
 
-  // By how much sides of quads may leave the arcs.
+  // How far sides of quads may be from the arcs, in the unit of `Cut_surface::length`; where the caller gives sizes, in
+  // that of the lengths of the sized surface.
   double arc_tolerance() const { return m_arc_tolerance; }
 
-  // Sides are no longer than their arc, however long they were asked to be, and must not leave it by more than a small
-  // part of that either.
+  // Sets this tolerance and starts over: all wanted numbers of edges count again and no bound is raised, but patches
+  // that were given up stay so. The tolerance of an arc is also bounded by a small part of its length, as no side is
+  // longer than its arc.
   void follow_arcs_within(const double tolerance)
   {
     m_arc_tolerance = tolerance;
@@ -83,7 +84,7 @@ public:
     reset_bounds();
   }
 
-  // Makes all wanted edge lengths `factor` times as long.
+  // Makes all wanted edge lengths `factor` times as long and starts over as `follow_arcs_within()` does.
   void scale_edge_lengths(const double factor)
   {
     m_target_edge_length *= factor;
@@ -126,7 +127,7 @@ public:
     return result;
   }
 
-  // The breakpoints of each arc, fewer where the arc has not as many vertices.
+  // The breakpoints of each arc, or fewer, of a larger tolerance, where the arc has fewer vertices than breakpoints.
   std::vector<std::vector<int> > attainable_breakpoints() const
   {
     std::vector<std::vector<int> > result = m_breakpoints;
@@ -143,7 +144,7 @@ public:
     return result;
   }
 
-  // Finds values within the bounds.
+  // Finds values within the bounds, and gives up demands until there are some.
   void quantize()
   {
     for(;;)
@@ -231,7 +232,7 @@ public:
   static constexpr double part_of_edge_length = 0.02;
 
 private:
-  // The unknowns depend on which patches have T-meshes.
+  // Makes the network anew, as the unknowns depend on which patches have T-meshes. This drops all raised bounds.
   void reset_bounds()
   {
     m_sides = collect_arc_sides(m_surface, m_embedding, m_features, m_t_meshes);
@@ -265,8 +266,8 @@ private:
     bound_arcs_of_other_patches();
   }
 
-  // The quadratic costs take edges that are much too long for no worse than those that are as much too short. No edge
-  // should be longer than about twice the wanted length, unless the caller wants few of them somewhere.
+  // The least number of edges of a piece or arc. The quadratic costs rate half of the wanted number no worse than one
+  // and a half times it. So no edge may be longer than about twice the wanted length, unless the caller fixes numbers.
   int least_count(const double target) const
   {
     const double largest_count = 1e8;
@@ -302,8 +303,8 @@ private:
     }
   }
 
-  // There are several rounds, and a longer search hardly finds anything better: the usual one takes most of the time
-  // of all stages, on networks where it does not finish.
+  // A twentieth of the usual steps of the search. There are several rounds, and a longer search hardly finds anything
+  // better; on networks where it does not finish, the usual one would take most of the time of all stages.
   static Quantization_options quantization_options()
   {
     Quantization_options options;
@@ -313,7 +314,7 @@ private:
 
   bool is_fixed(const std::size_t arc) const { return !m_number_of_edges.empty() && m_number_of_edges[arc] > 0; }
 
-  // Fillings take even numbers, and split triangles none but their own.
+  // Gives up wanted numbers that no filling takes, as they are odd or too small, and all beside split triangles.
   void release_arcs_of_fillings()
   {
     for(std::size_t a = 0; a < m_features.arcs.size(); ++a)
@@ -337,7 +338,8 @@ private:
     return is_any_released;
   }
 
-  // Where wanted numbers are among the unknowns without a solution, lets arcs there have fewer edges than bends.
+  // If any numbers are wanted, lets the other arcs among the unknowns without a solution have fewer edges than bends.
+  // Returns whether there are any.
   bool ignore_bends(const std::vector<int>& blocked)
   {
     bool is_any_ignored = false;
@@ -370,7 +372,7 @@ private:
     return true;
   }
 
-  // Lets pieces be empty again that cannot be otherwise. Returns whether there are any.
+  // Lets pieces be empty again whose raised bounds are among those without a solution. Returns whether there are any.
   bool lower_raised_bounds(const std::vector<int>& blocked)
   {
     bool is_any_lowered = false;
@@ -411,7 +413,7 @@ private:
       split_all_triangles();
   }
 
-  // The unknowns are the arcs, the pieces, and half the numbers of arcs that must have even ones.
+  // The unknowns are those of `T_mesh_network`: the arcs, the pieces, and half the numbers of arcs at fillings.
   int number_of_arcs() const { return static_cast<int>(m_features.arcs.size()); }
   bool is_piece(const int unknown) const
   {

@@ -43,7 +43,8 @@ struct Slide
   Coordinates point;
 };
 
-// A quad mesh whose vertices slide on the surface, with the shapes of its quads.
+// A quad mesh whose vertices slide on the surface, with the shapes of its quads. `arc_tolerance` is in the unit of the
+// embedding's points. The complex must outlive the object, and changes with it.
 class Sliding_quads
 {
 public:
@@ -71,8 +72,9 @@ public:
     return v.vertex >= 0 ? FIXED : v.arc >= 0 ? ON_ARC : v.patch >= 0 ? IN_PATCH : FIXED;
   }
 
-  // Lets a vertex that is kept at a bend of its arc slide like the others there. From then on the sides of quads on
-  // this arc must not leave it by more than the tolerance, or by more than they do. Returns whether it was kept.
+  // Lets a vertex that is kept at a bend of its arc slide like the others there. From then on, a slide on this arc must
+  // keep its sides within the tolerance of the arc, or at least as near to it as before. Returns whether the vertex was
+  // kept.
   bool release(const int vertex)
   {
     Quad_vertex& v = m_complex.vertices[vertex];
@@ -117,7 +119,7 @@ public:
     return { m_complex.vertices[vertex].location, m_arc_order.length(vertex), m_point[vertex] };
   }
 
-  // Walks from where a vertex is; false if it cannot walk as far inside its patch.
+  // Walks by a displacement from where a vertex is; false if it cannot walk as far inside its patch.
   bool slide_inside(const int vertex, const Coordinates& displacement, Slide& slide) const
   {
     slide.location = m_complex.vertices[vertex].location;
@@ -128,7 +130,7 @@ public:
     return true;
   }
 
-  // Slides on its arc to a length; false if its neighbours are too near to that.
+  // Slides on its arc to a length; false if that is too close to a neighbour, or if a side would leave a released arc.
   bool slide_on_arc(const int vertex, const double length, Slide& slide) const
   {
     const int arc = m_complex.vertices[vertex].arc;
@@ -216,7 +218,8 @@ private:
     return quad_shape(moved, normal);
   }
 
-  // Whether the sides on the arc still follow it if a vertex slides to a length. `range` are those of its neighbors.
+  // Whether the two sides on the arc at a vertex still follow it if the vertex slides to a length. `range` has the
+  // lengths of its neighbours.
   bool keeps_arc(const int vertex, const std::pair<double, double>& range, const double length,
                  const Coordinates& point) const
   {
@@ -258,7 +261,7 @@ private:
   double m_arc_tolerance;
   std::vector<char> m_is_released;           // per arc: whether vertices at its bends may slide
   Corner_normals m_normals;
-  std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in; corners
+  std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in `m_corner`
   std::vector<Coordinates> m_point;          // per vertex
   std::vector<Quad_shape> m_shape;           // per quad
 };

@@ -25,7 +25,7 @@ namespace internal {
 class Vertex_classes
 {
 public:
-  // Joins two vertices; `unknown` has the value 0 and would separate them if it had not.
+  // Joins two vertices that coincide as `unknown` has the value 0.
   void unite(const int a, const int b, const int unknown)
   {
     if(a != b)
@@ -34,7 +34,8 @@ public:
 
   bool is_empty() const { return m_links.empty(); }
 
-  // The class of each vertex, named by the least vertex in it.
+  // The class of each vertex, named by its smallest vertex. Call this before the functions below, and again after
+  // `unite()`.
   std::vector<int> representatives(const int number_of_vertices)
   {
     m_number_of_vertices = number_of_vertices;
@@ -57,7 +58,7 @@ public:
     return parent;
   }
 
-  // The unknowns on a shortest chain of links between two vertices of a class.
+  // The unknowns on a shortest chain of links between two vertices of a class, in time linear in the class.
   std::vector<int> unknowns_between(const int a, const int b)
   {
     sort_links();
@@ -85,7 +86,7 @@ public:
     return unknowns;
   }
 
-  // The unknowns of all links of the class of a vertex.
+  // The unknowns of all links of the class of a vertex, which may name an unknown more than once.
   std::vector<int> unknowns_of_class(const int vertex)
   {
     sort_links();
@@ -143,7 +144,7 @@ private:
 
   std::vector<Link> m_links;
   int m_number_of_vertices = 0;
-  std::vector<int> m_first_place, m_links_of; // per vertex: its links; empty until someone asks for them
+  std::vector<int> m_first_place, m_links_of; // per vertex: its links; empty until `sort_links()`
   std::vector<int> m_arrival, m_queue;        // of searches: the link by which a vertex was reached
 };
 

@@ -44,8 +44,9 @@ inline std::int64_t parametric_offset(const Seamless_map& map, const T_mesh_node
   return std::llabs(node.u - map.u[source]) + std::llabs(node.v - map.v[source]);
 }
 
-// Where the map of one side puts the points of an arc, by their lengths from the beginning of the arc, one for each
-// edge of the side, in the order of the side, from the source of its first piece on.
+// The points of an arc where the map of one side puts the vertices of quads, as lengths from the beginning of the arc.
+// There is one point for each edge of the side, at the source of the edge, in the order of the side. `number_of_edges`
+// is per piece of the T-mesh.
 inline std::vector<double> arc_points_of_side(const Cut_surface& surface, const Seamless_map& map,
                                               const Feature_network& network, const Arc_points& arc_points,
                                               const T_mesh& t_mesh, const Arc_side& side,

@@ -30,7 +30,8 @@ namespace internal {
 
 // Between a mesh and its refined copy.
 
-// Carries what is asked for on the elements of a mesh to its copy, whose embedding is `embedding`.
+// Carries what is asked for on the elements of a mesh to its refined copy, whose embedding is `embedding`. Lengths go
+// from the unit of the given surface to that of the copy.
 template <typename CutCopy>
 Quad_request carry_to_copy(const Quad_request& request, const Cut_surface& given_surface,
                            const Surface_embedding& given_embedding, const CutCopy& cut_copy,

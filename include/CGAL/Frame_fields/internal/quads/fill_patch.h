@@ -37,8 +37,8 @@ namespace internal {
 // triangles are joined to quads where that goes well, and each polygon is cut into quads from its middle to the middles
 // of its sides.
 
-// The least number of edges of an arc with which it can be filled: no edge may join a vertex with itself, and none may
-// be twice there.
+// The least number of edges of an arc at a filling: 4 on a closed arc, 2 on another one. With fewer, an edge of the
+// triangulation, which stands for two edges of quads, would join a vertex to itself.
 inline int smallest_even_count(const Surface_embedding& embedding, const Feature_arc& arc)
 {
   const bool is_closed = arc.is_loop || embedding.vertex[previous_of(arc.halfedges.front())]
@@ -46,7 +46,8 @@ inline int smallest_even_count(const Surface_embedding& embedding, const Feature
   return is_closed ? 4 : 2;
 }
 
-// For each halfedge between two triangles that become one quad: true. The best quads are taken first.
+// Flags, per halfedge, the edges between two triangles that become one quad. The best quads are taken first, in
+// O(n log n).
 inline std::vector<char> joined_sides(const Patch_triangulation& t)
 {
   const double least_jacobian = 0.3;
@@ -149,10 +150,11 @@ private:
   const std::vector<char>& m_is_joined; // per halfedge
   int m_patch;
   Quad_complex& m_complex;
-  std::vector<int> m_id;     // per vertex: that of the quads
+  std::vector<int> m_id;     // per vertex of the triangulation: its vertex of the quads
   std::vector<int> m_middle; // per halfedge: the vertex of the quads in its middle
 };
 
+// Whether all arcs of a patch have even numbers of edges of at least `smallest_even_count()`.
 inline bool can_fill_patch(const Cut_surface& surface, const Surface_embedding& embedding,
                            const Feature_network& network, const Patch& patch, const Arc_vertices& arc_vertices)
 {
@@ -166,8 +168,9 @@ inline bool can_fill_patch(const Cut_surface& surface, const Surface_embedding& 
   return true;
 }
 
-// Fills a patch with quads of about the given length. The vertices on its arcs are there; those inside are added.
-// Nothing is added, and false returned, if an arc has an odd number of edges or less than `smallest_even_count()`.
+// Fills a patch with quads of about the given edge length. The vertices on its arcs are in the complex already; those
+// inside are added. Nothing is added, and false returned, if an arc has an odd number of edges or fewer than
+// `smallest_even_count()`, or if the triangulation cannot be made to have one edge for each two of an arc.
 inline bool fill_patch(const Surface_walker& walker, const Cut_surface& surface, const Surface_embedding& embedding,
                        const Feature_network& network, const int patch, const Arc_vertices& arc_vertices,
                        const double edge_length, Quad_complex& complex)

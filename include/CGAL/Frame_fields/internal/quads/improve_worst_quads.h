@@ -74,8 +74,8 @@ inline double shortest_side(const Sliding_quads& quads, const int vertex, const 
   return result;
 }
 
-// Searches slides of a vertex that raise the least scaled Jacobian of its quads. It does not depend on lengths, so that
-// sides would vanish if a bound did not keep them. Returns whether there was such a slide.
+// Searches slides of a vertex that raise the least scaled Jacobian of its quads. The scaled Jacobian does not depend on
+// lengths, so a lower bound keeps sides from vanishing. Returns whether there was such a slide.
 inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
 {
   const int maximum_number_of_slides = 32, number_of_halvings = 6;
@@ -108,8 +108,8 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
   return number_of_slides > 0;
 }
 
-// Raises what is below `bound` where single vertices of the list can. Returns whether any could. After the first sweep,
-// only those are tried again whose quads have changed.
+// Moves the vertices of the list that have a quad with a scaled Jacobian below `bound`, one by one, to raise it.
+// Returns whether any moved. After the first sweep, only vertices are tried again whose quads have changed.
 inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& vertices, const double bound)
 {
   const int number_of_sweeps = 5;

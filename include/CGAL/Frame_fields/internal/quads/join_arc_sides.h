@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The same for an arc that is no loop, in the direction of the arc, without the two ends.
+// The points from `arc_points_of_side()` of an arc that is no loop, in the direction of the arc and without its ends.
+// There must be at least one point; the first one, at the start of the side, is dropped.
 inline std::vector<double> inner_points(std::vector<double> points, const bool is_first_side)
 {
   points.erase(points.begin());
@@ -31,7 +32,8 @@ inline std::vector<double> inner_points(std::vector<double> points, const bool i
   return points;
 }
 
-// Turns the points of a loop, increasing but for one jump, such that they increase from a first point on.
+// The points from `arc_points_of_side()` of a loop, in the direction of the arc. They increase but for one jump; behind
+// the jump, the length of the loop is added so that all increase.
 inline std::vector<double> unrolled_loop(std::vector<double> points, const bool is_first_side, const double length)
 {
   if(!is_first_side)
@@ -49,7 +51,8 @@ struct Placed_arc
   std::array<int, 2> first_of_side = { { 0, 0 } }; // for a loop: the point that each side's list begins with
 };
 
-// By how many places the points of a loop are shifted against as many others, so that they are nearest to them.
+// The shift for which the points i + shift of the loop `to` are nearest to the points i of `from`, in O(n log n). Both
+// must have the same number of points.
 inline int shift_of_loop(const std::vector<double>& from, const std::vector<double>& to, const double length)
 {
   const int n = static_cast<int>(from.size());
@@ -65,7 +68,8 @@ inline int shift_of_loop(const std::vector<double>& from, const std::vector<doub
       sum += std::abs(unrolled(i + shift) - from[i]);
     return sum;
   };
-  // Both increase, so the differences do with the shift: bisection finds where their sum is least.
+  // As the points increase, each difference grows with the shift, and the sum of their absolute values has one minimum:
+  // bisection finds it.
   int low = -2 * n, high = 2 * n;
   while(low < high)
   {
@@ -78,7 +82,8 @@ inline int shift_of_loop(const std::vector<double>& from, const std::vector<doub
   return low;
 }
 
-// Point i of a loop and point i + shift, turned by whole loops, in the middle between both.
+// The mean of point i of a loop and point i + shift of another one, moved by whole turns. Without a shift, also that of
+// the points of arcs.
 inline std::vector<double> mean_of_loops(const std::vector<double>& first, const std::vector<double>& second,
                                          const int shift, const double length)
 {
@@ -92,7 +97,9 @@ inline std::vector<double> mean_of_loops(const std::vector<double>& first, const
   return mean;
 }
 
-// Joins the points of the two sides. A side without points has no opinion; `fixed`, unless empty, has the only one.
+// Joins the points of the two sides of an arc: the result is `fixed` unless that is empty, the mean if both sides have
+// points, and the points of the only side that has some otherwise. All that are not empty must have equally many
+// points.
 inline Placed_arc join_sides(const std::array<std::vector<double>, 2>& sides, const std::vector<double>& fixed,
                              const bool is_loop, const double length)
 {

@@ -39,7 +39,7 @@ struct Placed_arcs
   std::vector<Placed_arc> points;         // per arc
 };
 
-// Two points per edge of the triangle mesh: those of a patch that is filled.
+// Two points per edge of the triangle mesh: those of a patch whose triangles are split.
 inline std::vector<double> points_of_triangles(const Arc_points& arc_points, const int arc, const bool is_loop)
 {
   std::vector<double> result;
@@ -115,8 +115,7 @@ inline std::vector<int> make_node_vertices(const Quad_layout& layout, Quad_compl
   return result;
 }
 
-// The vertex of an arc at a length from its beginning. The points of a loop may begin before its first place, and end
-// behind its last one.
+// The vertex of an arc at a length from its beginning. On a loop the length may lie beyond its ends by whole turns.
 inline Quad_vertex arc_vertex(const Quad_layout& layout, const Arc_points& arc_points, const int arc,
                               const double length)
 {
@@ -129,6 +128,7 @@ inline Quad_vertex arc_vertex(const Quad_layout& layout, const Arc_points& arc_p
   return vertex;
 }
 
+// Makes the vertices at nodes and on arcs; `complex` must be empty.
 inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& complex)
 {
   const Arc_points arc_points(layout.embedding, layout.network);

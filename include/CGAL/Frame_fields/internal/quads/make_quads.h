@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The arcs whose wanted number of edges was given up.
+// The number of arcs whose wanted number of edges was given up.
 inline std::size_t number_of_unmet_edge_numbers(const Quad_complex& complex, const std::vector<int>& number_of_edges)
 {
   std::size_t result = 0;
@@ -67,7 +67,7 @@ std::vector<T_mesh_status> make_T_meshes(const Cut_surface& surface, const Surfa
   return status;
 }
 
-// What became of each patch.
+// Writes into the statistics what became of each patch.
 inline void count_patches(const Cut_surface& surface, const Seamless_map& map,
                           const std::vector<T_mesh_status>& t_mesh_status, const Refined_quads& quads,
                           Quad_statistics& statistics)
@@ -89,8 +89,8 @@ inline void count_patches(const Cut_surface& surface, const Seamless_map& map,
     ++statistics.patches[patch].number_of_quads;
 }
 
-// All stages behind the map, with lengths in the unit of `Cut_surface::length`. `number_of_edges` is what is wanted of
-// the arcs, or empty.
+// All stages after the map, with lengths in the unit of `Cut_surface::length`. `index` is 4 I per sector.
+// `number_of_edges` is the number wanted on each arc, 0 where it is free, or empty.
 template <typename ConcurrencyTag, typename StageClock>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
                         const Seamless_map& map, const Feature_network& features, const Quad_request& request,

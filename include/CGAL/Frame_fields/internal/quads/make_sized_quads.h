@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Where features are close together, sides come out much shorter than asked for; then the arcs are followed as much
-// more closely, in a second run.
+// Where features are close together, sides come out much shorter than asked for. If the mean is below half the target,
+// a second run follows the arcs more closely in the same proportion.
 inline Quad_complex make_quads_along_arcs(Quad_maker& maker)
 {
   Quad_complex complex = maker.make();
@@ -36,8 +36,8 @@ inline Quad_complex make_quads_along_arcs(Quad_maker& maker)
   return complex;
 }
 
-// Changes the edge lengths until there are about as many quads as wanted, which features that are close together may
-// prevent; then it takes the number that was nearest.
+// Changes the edge lengths until the number of quads is within 2% of the wanted one. Features that are close together
+// may prevent this: after six runs, the quads are made anew with the lengths that came nearest.
 inline Quad_complex make_quads_of_number(Quad_maker& maker, const double wanted_number)
 {
   const int maximum_number_of_runs = 6;

@@ -51,7 +51,8 @@ inline std::vector<char> filled_patches(const std::vector<T_mesh>& t_meshes)
   return result;
 }
 
-// Thin strips of quads widen through worse shapes than they end with.
+// Options of the smoothing that accept poor shapes in the first sweeps, as thin strips of quads pass through these
+// while they widen.
 inline Smoothing_options smoothing_through_poor_shapes()
 {
   Smoothing_options options;
@@ -64,11 +65,13 @@ struct Refined_quads
 {
   Quad_complex complex;
   std::vector<char> is_filled; // per patch
-  double arc_tolerance = 0;    // by how much their sides may leave the arcs
+  double arc_tolerance = 0;    // how far their sides may be from the arcs
 };
 
-// Quantizes and assembles. Where quads of a T-mesh stay inverted when their surroundings are smoothed, they are made
-// anew with more room.
+// Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
+// are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
+// be raised, or when a refinement leaves more than 3/4 of the least number of inverted quads so far and these are less
+// than a tenth of all quads. Returns the quads with the fewest inverted ones.
 template <typename StageClock>
 Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                  const Feature_network& features, const std::vector<T_mesh>& t_meshes,

@@ -64,7 +64,8 @@ inline int quads_of_angle(const double angle)
   return (std::max)(1, static_cast<int>(std::round(2 * angle / CGAL_PI)));
 }
 
-// The corners of all sectors on constrained edges, then those of the vertices inside.
+// Counts the sectors at constrained edges whose number of corners does not fit their angle, and the vertices inside
+// that do not have four corners.
 inline void count_irregular(const Polygon_mesh& mesh, Quad_quality& quality)
 {
   std::vector<char> is_counted(mesh.vertex.size(), false);
@@ -116,6 +117,8 @@ inline void measure_edges(const Polygon_mesh& mesh, Quad_quality& quality)
   quality.maximum_edge_length = mesh.length_unit * largest;
 }
 
+// The quality of the quads, in linear time. Lengths are in the caller's unit. A quad is bad below a scaled Jacobian of
+// 0.2; faces that are no quads are counted, but not measured.
 inline Quad_quality measure_quads(const Polygon_mesh& mesh)
 {
   const double bad = 0.2;
@@ -144,7 +147,8 @@ inline Quad_quality measure_quads(const Polygon_mesh& mesh)
   return quality;
 }
 
-// Sets `opposite` from `vertex`. An edge of more than two faces, or of two that run the same way, is left without.
+// Sets `opposite` from `vertex`, in O(n log n). The sides of an edge have no opposite if it has more than two faces, or
+// two that run the same way.
 inline void connect_sides(Polygon_mesh& mesh)
 {
   const std::size_t number_of_corners = mesh.vertex.size();

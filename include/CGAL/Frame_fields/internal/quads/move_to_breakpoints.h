@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Moves points of an arc to its breakpoints, each to another one near it, and stretches the others between them.
-// There are at least as many points as breakpoints.
+// Moves to each breakpoint of an arc a different point near it, and stretches the other points between them. Does
+// nothing if there are fewer points than breakpoints. Points are lengths from the beginning of the arc, in increasing
+// order.
 inline void move_to_breakpoints(const Arc_points& arc_points, const int arc, const bool is_loop,
                                 const std::vector<int>& breakpoints, std::vector<double>& points)
 {
@@ -44,7 +45,7 @@ inline void move_to_breakpoints(const Arc_points& arc_points, const int arc, con
     std::sort(goals.begin(), goals.end());
   }
 
-  std::vector<int> chosen(m); // the nearest point, as far as points before and behind suffice for the other goals
+  std::vector<int> chosen(m); // per goal: the nearest point that leaves enough points for the other goals
   int next = 0;
   for(int g = 0; g < m; ++g)
   {

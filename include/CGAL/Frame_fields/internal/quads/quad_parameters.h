@@ -43,16 +43,17 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The seconds of the field are one stage of the quads.
+// Stands for the clock of the field's stages, whose seconds the quads count as one stage.
 struct No_stage_clock
 {
   Stage_seconds seconds() const { return {}; }
 };
 
-// Quads and their vertices must have numbers of the type int.
+// The number of quads up to which quads, their sides and their vertices certainly have numbers of the type int.
 inline double largest_number_of_quads() { return (std::numeric_limits<int>::max)() / 16.; }
 
-// Refuses quads so small that there would be more. Lengths are in the unit of the surface.
+// Fails with `ERROR_WRONG_PARAMETER` if the wanted edge length asks for more quads than that in the area of the
+// surface, or for more edges along its halfedges. Lengths are in the unit of `Cut_surface::length`.
 inline Result check_number_of_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                     const Quad_request& request)
 {
@@ -67,6 +68,7 @@ inline Result check_number_of_quads(const Cut_surface& surface, const Surface_em
   return failure(ERROR_WRONG_PARAMETER, "the quads asked for are too many for 32-bit indices");
 }
 
+// The edge of a halfedge in words, for messages; its points are multiplied by `unit`.
 inline std::string text_of_edge(const Surface_embedding& embedding, const int halfedge, const double unit)
 {
   const auto text = [&](const int h)
@@ -86,9 +88,9 @@ inline void note_cancelled_pairs(const std::vector<int>& cancelled_pairs, Quad_s
   }
 }
 
-// Adds the quads to the caller's mesh and writes the maps of its elements. `unit` is that of the points of `embedding`
-// and the surface together.
-// `locate(l)` is the face of the caller's mesh that a location is in, and its coordinates there.
+// Adds the quads to the caller's mesh and writes the maps of its elements. The quads must have no conflicts. `unit` is
+// the length by which the caller's lengths were divided before the surface was made; the surface has a unit besides.
+// `locate(l)` is the face of the caller's mesh that a location is in, and its barycentric coordinates there.
 template <typename Locate, typename QuadMesh, typename NamedParameters>
 void output_quads(const Cut_surface& surface, const Surface_embedding& embedding, const Quad_complex& complex,
                   const double unit, const Locate& locate, QuadMesh& quad_mesh, const NamedParameters& np)
@@ -115,7 +117,7 @@ void output_quads(const Cut_surface& surface, const Surface_embedding& embedding
     put_if_given(is_constrained, edge(written.sides[side], quad_mesh), is_on_arc[side] != 0);
 }
 
-// The quality of quads in space.
+// The quality of quads, with lengths in the caller's unit; `unit` is as for `output_quads()`.
 inline Quad_quality quality_of(const Cut_surface& surface, const Surface_embedding& embedding,
                                const Quad_complex& complex, const double unit)
 {

@@ -39,15 +39,16 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// What is made of a field.
+// The quads made of a field, and their statistics.
 struct Made_quads
 {
   Quad_complex complex;
   Quad_statistics statistics;
 };
 
-// From a field to quads by maps that have the given lengths, per face. Of a field that is given, there are no
-// statistics; `unit` is what the caller's lengths are divided by before they get to the surface.
+// From a field to quads, by maps with the given target edge length per face. The map may repair the field. A field that
+// the caller gave has no statistics. `unit` is the length by which the caller's lengths were divided before the surface
+// was made. Fails only if wanted numbers of edges contradict one another.
 template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
 Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
                            const Quad_request& request, const std::vector<double>& target_length,

@@ -34,13 +34,16 @@ namespace internal {
 
 // Reads the named parameters about single elements that the functions that make quads have.
 
+// Reads the numbers wanted on the edges, per halfedge and 0 on unconstrained ones. Fails with `ERROR_WRONG_PARAMETER`
+// if a number is negative or asks for too many quads.
 template <typename CutMesh, typename NumberMap>
 Result read_numbers_of_edges(const CutMesh& cut_mesh, const Surface_embedding& embedding, const NumberMap numbers,
                              Quad_request& request)
 {
   const Cut_surface& surface = cut_mesh.surface();
   const double largest = largest_number_of_quads();
-  // Quads in a strip across from an edge, if the surface were a square.
+  // A wanted number also divides the strip of quads across its edge. This is the number of quads along such a strip, if
+  // the surface were a square.
   const double other_side = std::sqrt(surface_area(surface)) / request.edge_length;
   request.number_of_edges.assign(surface.number_of_halfedges(), 0);
   for(int h = 0; h < surface.number_of_halfedges(); ++h)
@@ -56,6 +59,8 @@ Result read_numbers_of_edges(const CutMesh& cut_mesh, const Surface_embedding& e
   return {};
 }
 
+// Reads the whole request, with lengths in the unit of `Cut_surface::length`, and checks the number of quads.
+// `request.is_node` must be empty.
 template <typename CutMesh, typename NamedParameters>
 Result read_quad_request(const CutMesh& cut_mesh, const Surface_embedding& embedding, const NamedParameters& np,
                          const Quad_size& size, Quad_request& request)

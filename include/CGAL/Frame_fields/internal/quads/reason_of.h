@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Why a patch has no map, or a map no T-mesh, in words.
+// Why a patch has no map, in words; empty if it has one.
 inline const char* reason_of(const Map_status status)
 {
   switch(status)
@@ -35,6 +35,7 @@ inline const char* reason_of(const Map_status status)
   return "";
 }
 
+// Why a patch with a certified map has no quads of a T-mesh. A complete T-mesh was given up later.
 inline const char* reason_of(const T_mesh_status status)
 {
   switch(status)

@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Refines the triangles of a copy of a surface that are longer than two quads. Fields and maps are linear in triangles;
-// where these are shorter, quads follow them well enough.
+// Splits the triangles of a copy of a mesh that are longer than two quads. Fields and maps are linear in triangles, so
+// quads follow them well only where the triangles are not much larger. `surface` and `request` are those of the mesh.
 template <typename NamedParameters>
 void refine_for_quads(Working_mesh& copy, const NamedParameters& np, const Cut_surface& surface,
                       const Quad_request& request)
 {
   const double maximum_number_of_edges_per_triangle = 2;
-  const double faces_per_face = 8, faces_per_quad = 4; // that there may be at most
+  const double faces_per_face = 8, faces_per_quad = 4; // bounds of the number of faces
   const double number_of_quads = surface_area(surface) / request.edge_length / request.edge_length;
   const bool may_flip = surface.index_target.empty(); // sectors with targets keep their faces
   refine_working_copy(copy, np, 1 / surface.length_unit, maximum_number_of_edges_per_triangle * request.edge_length,

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Removes the vertices of no quad; the order of the others stays. Returns their old numbers.
+// Removes the vertices of no quad, in linear time, and keeps the order of the others. Returns the old numbers of the
+// others. Vertices of arcs must be vertices of quads.
 inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
 {
   std::vector<int> number(complex.vertices.size(), 0), old_number;

@@ -29,7 +29,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A plane through a vertex in which its quads are seen nearly undistorted.
+// A plane through a vertex in which its quads look nearly undistorted: along the sum of their normals at the vertex, or
+// that of the surface where these are more than 60 degrees apart.
 class Vertex_plane
 {
 public:
@@ -135,7 +136,8 @@ inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
   return plane.in_space(step);
 }
 
-// The length on its arc where the parabola through three values of the distortion is least.
+// The length on its arc where the parabola through three values of the distortion is least, at most half of the room
+// away that the closer neighbour leaves. If a value is infinite or not known, the middle between the neighbours.
 inline double length_of_least_distortion(const Sliding_quads& quads, const int vertex)
 {
   const double here = quads.arc_order().length(vertex);

@@ -41,17 +41,17 @@ struct Smoothing_options
   int number_of_rounds = 3;                 // of the search at bad quads, each followed by half as many sweeps
   bool untangles = true;                    // whether inverted quads are turned together with the quads around them
   bool may_release_bends = true;            // whether vertices at bends of arcs may slide where quads are inverted
-  double arc_tolerance = 0;                 // by how much sides may leave arcs there
+  double arc_tolerance = 0;                 // how far sides may be from arcs there, in the unit of the embedding
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
   double passable = 0.6;                    // the same in the first sweeps
-  double bad = 0.3;                         // below this scaled Jacobian the worst quad of a vertex is improved alone
+  double bad = 0.3;                         // below this scaled Jacobian, the worst quad of a vertex is raised alone
 };
 
 struct Smoothing_report
 {
   double worst_before = 0, worst_after = 0;       // scaled Jacobian, negative if the quad lies on its face
   int inverted_before = 0;                        // quads whose scaled Jacobian is not positive
-  std::vector<int> inverted_quads;                // after it
+  std::vector<int> inverted_quads;                // after the smoothing
 };
 
 inline std::vector<int> inverted_quads(const Sliding_quads& quads)
@@ -65,8 +65,9 @@ inline std::vector<int> inverted_quads(const Sliding_quads& quads)
 
 // Moves vertices one after the other to where the distortion of their quads is less.
 //
-// A move is accepted if the worst of these quads does not get worse, or stays good enough and better than the worst
-// quad of all was at the start of the sweep. So the worst of all never gets worse, and no quad gets inverted.
+// A move is accepted if the worst of these quads does not get worse, or stays good enough and not worse than the worst
+// quad of all was at the start of the sweep. At a vertex of inverted quads, the worst one must get better and no other
+// one may get inverted. So the worst of all never gets worse, and no quad gets inverted.
 class Distortion_sweeps
 {
 public:
@@ -77,7 +78,7 @@ public:
 
   void run(const int number_of_sweeps, const double good_enough)
   {
-    ++m_sweep; // so that all vertices may move
+    ++m_sweep; // with this as the last move of all vertices, all may move in the first sweep
     std::fill(m_last_move.begin(), m_last_move.end(), m_sweep);
     for(int i = 0; i < number_of_sweeps; ++i)
     {
@@ -161,7 +162,8 @@ private:
   std::vector<int> m_last_move; // per vertex: the sweep
 };
 
-// Untangles, improves and sweeps in rounds; only the given vertices move.
+// Untangles, improves the worst quads and sweeps, in rounds. Only the given vertices move, but untangling moves those
+// of the tangled parts.
 inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
                         const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
@@ -181,7 +183,8 @@ inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertic
   }
 }
 
-// Smooths only where quads of patches that are not left out are inverted. Returns those that still are.
+// Smooths only around inverted quads of patches that are not left out (a flag per patch). Returns those of these
+// patches that are inverted afterward.
 inline std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
                                               const Surface_embedding& embedding, const Feature_network& network,
                                               const std::vector<char>& is_patch_left_out,

@@ -26,8 +26,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Fills a patch that has no T-mesh: each triangle becomes three quads, by the middles of its edges and its centroid.
-// Its arcs must have two quad edges for each of their edges, as `points_of_triangles()` places them.
+// Makes the quads of a patch from its triangles: each becomes three quads, by the middles of its edges and its
+// centroid. The arcs must have two quad edges for each of their halfedges, as `points_of_triangles()` places them. The
+// time is linear.
 inline void split_triangles_of_patch(const Quad_layout& layout, const int patch, Quad_complex& complex)
 {
   const Cut_surface& surface = layout.surface;

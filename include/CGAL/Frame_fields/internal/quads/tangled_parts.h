@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Calls `visit(part, vertices)` for the connected parts that inverted quads, of patches that are not left out, form
-// with the given number of rings of quads around them; the vertices are those that may slide and have all their quads
-// in the part.
+// Calls `visit(part, vertices)` for the connected parts that inverted quads form with the given number of rings of
+// quads around them. Inverted quads of patches that are left out do not count. The vertices are those that may slide
+// and have all their quads in the part. The calls may move them: all parts are found before.
 template <typename Visit>
 void for_each_tangled_part(const Sliding_quads& quads, const std::vector<char>& is_patch_left_out,
                            const int number_of_rings, const Visit& visit)

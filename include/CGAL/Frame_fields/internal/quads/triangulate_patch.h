@@ -38,8 +38,8 @@ inline int number_of_edges(const Arc_vertices& arc_vertices, const Feature_netwo
   return static_cast<int>(arc_vertices[arc].size()) - (network.arcs[arc].is_loop ? 0 : 1);
 }
 
-// The triangles of a patch, with every second vertex of its arcs as a vertex. Each two edges of the quads on an arc are
-// a segment of the border; it may still have several halfedges.
+// Makes the triangles of a patch, cut such that every second vertex of the quads on its arcs is a vertex. Each two
+// successive edges of the quads on an arc are a segment of the border, which may still consist of several halfedges.
 class Border_cutter
 {
 public:
@@ -81,7 +81,8 @@ private:
   int local_halfedge(const int h) const { return h - 3 * m_patch.faces.begin_index; }
   int local_vertex(const int h) const { return m_surface.sector[h] - m_patch.sectors.begin_index; }
 
-  // What a halfedge of the border, which moves when its neighbour is cut, has as segment until it is cut itself.
+  // The segment of a halfedge of the border until it is cut itself. It tells which one it is, as the halfedge gets
+  // another number when the one beside it in its face is cut.
   static int to_be_cut(const int halfedge) { return -2 - halfedge; }
 
   void copy_faces()
@@ -140,7 +141,7 @@ private:
     return cuts;
   }
 
-  // The segment's end that comes first in the direction of the positions.
+  // The segment of a loop whose first vertex has the smallest position.
   int first_of_loop(const std::vector<int>& ids) const
   {
     int first = 0;
@@ -204,6 +205,7 @@ private:
     }
   }
 
+  // Gives the vertices at the ends of an arc the numbers of the vertices of the quads there.
   void name_ends(const int arc, const int place, const int h)
   {
     const std::vector<int>& ids = m_arc_vertices[arc];

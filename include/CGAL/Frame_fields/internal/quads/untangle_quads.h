@@ -34,8 +34,8 @@ namespace internal {
 //
 // It minimizes the sum of (|a|^2 + |b|^2) / (2 chi(a x b)) over the corners with sides a and b, where a x b is seen
 // along the normal of the surface, and chi(t) = (t + sqrt(t^2 + e^2)) / 2 is positive also for inverted corners; e gets
-// smaller with them. On the way a quad may get worse. All of it is undone unless less quads are inverted in the end,
-// or as many and the worst is better.
+// smaller with them. On the way a quad may get worse. In the end, all moves are undone if the worst scaled Jacobian of
+// the part is worse than before, if more quads are inverted, or if neither has improved.
 class Untangled_part
 {
 public:
@@ -110,8 +110,8 @@ private:
     return norm > 0 ? 1 / norm * normal : normal;
   }
 
-  // Calls `visit(a, b, normal, epsilon, k)` for the three corners, of each quad of a vertex that is at `point`, that
-  // depend on it: k is 0 at the vertex, 1 at the next one of the quad and 3 at the one before.
+  // Calls `visit(a, b, normal, epsilon, k)` for the corners that depend on a vertex at `point`. Each quad of the vertex
+  // has three: k is 0 at the vertex, 1 at the next one of the quad and 3 at the one before.
   template <typename Visit>
   void for_each_moving_corner(const int vertex, const Coordinates& point, const Visit& visit) const
   {
@@ -135,7 +135,7 @@ private:
     return t >= 0 ? t + root : epsilon * epsilon / (root - t);
   }
 
-  // Of the quads of a vertex that is at `point`.
+  // The energy of the corners that move with a vertex, if the vertex is at `point`.
   double energy(const int vertex, const Coordinates& point) const
   {
     double sum = 0;
@@ -239,7 +239,8 @@ private:
   std::vector<Slide> m_old_slide;     // per entry of m_vertices
 };
 
-// Returns whether a part has improved.
+// Untangles all parts with two rings around inverted quads, then those with five. Returns whether any part has
+// improved.
 inline bool untangle_quads(Sliding_quads& quads, const std::vector<char>& is_patch_left_out)
 {
   bool has_improved = false;

@@ -37,7 +37,7 @@ struct Written_quads
   std::vector<typename boost::graph_traits<QuadMesh>::face_descriptor> faces;
 };
 
-// As far as the class of the mesh has this, makes room so that no later allocation fails.
+// Makes room for elements, so that no later allocation fails, if the mesh has a function `reserve()`.
 template <typename Mesh>
 auto reserve_elements(Mesh& mesh, const std::size_t vertices, const std::size_t edges, const std::size_t faces, int)
   -> decltype(reserve(mesh, vertices, edges, faces))
@@ -57,7 +57,7 @@ struct Border_passage
   }
 };
 
-// Sorted by their vertices.
+// The passages at all border vertices, sorted by their vertices.
 inline std::vector<Border_passage> border_passages(const Quad_complex& complex, const Quad_connectivity& connectivity)
 {
   std::vector<Border_passage> passages;
@@ -94,7 +94,7 @@ void link_borders(const std::vector<Border_passage>& passages, const Written_qua
   }
 }
 
-// Adds the quads to a mesh; `connectivity` must be without conflicts. Points are not set.
+// Adds the quads to a mesh in O(n log n); `connectivity` must be without conflicts. Points are not set.
 template <typename QuadMesh>
 Written_quads<QuadMesh> write_quads(const Quad_complex& complex, const Quad_connectivity& connectivity,
                                     QuadMesh& quad_mesh)

@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// An unknown integer n in a bidirected network. At each end it is added to or taken from the sum of a node, which must
-// be 0; both ends may be at one node, and an end at no node (-1) is free.
+// An edge of a bidirected network, with an unknown integer n. At each end n is added to the sum of a node (sign +1) or
+// subtracted from it (sign -1). The sum of each node must be 0. Both ends may be at the same node. An end with node -1
+// is free.
 struct Bidirected_edge
 {
   std::array<int, 2> node;

@@ -34,17 +34,18 @@ struct Integral_values
   bool is_complete = false; // nothing is cheaper; if there is no value, there is none at all
 };
 
-// Searches the integers of least cost: where the half-integral flow has an odd component, one of its edges gets at most
-// the integer below, or at least the one above. Each time, the flow is a lower bound for all that may come of it.
+// Searches the integers of least cost. Where the half-integral flow has an odd component, the search branches on one of
+// its edges: its value is at most the integer below, or at least the integer above. In each branch the cost of the flow
+// is a lower bound.
 //
-// It is exact, but worth its time only while the network has few odd components.
+// The search is exact if its budgets suffice. It is worth its time only while the network has few odd components.
 class Branch_and_bound
 {
 public:
   // The flow must be solved.
   explicit Branch_and_bound(Half_integral_flow& flow) : m_flow(flow), m_root(flow.optimum()) {}
 
-  // Values that are known: only cheaper ones are searched, if there can be any.
+  // Starts from a known solution, so that only cheaper ones are searched. If it is optimal, there is nothing to search.
   void start_with(const std::vector<int>& value, const double cost, const bool is_optimal)
   {
     m_best.value = value;
@@ -52,7 +53,8 @@ public:
     m_best.is_complete = is_optimal;
   }
 
-  // Visits at most so many flows, and about so many edges in all.
+  // Solves at most `maximum_number_of_flows` flows and visits about `maximum_number_of_steps` edges in all. At the end
+  // the flow is as it was before the search.
   void search(const std::int64_t maximum_number_of_flows, const std::int64_t maximum_number_of_steps)
   {
     const std::int64_t number_of_edges = static_cast<std::int64_t>(m_flow.network().edges.size());
@@ -80,8 +82,8 @@ private:
   struct Branch
   {
     int edge, lower, upper;       // the bounds it had before
-    int other_lower, other_upper; // those of the branch that is still to do, if it is
-    bool has_other;
+    int other_lower, other_upper; // the bounds of the other branch
+    bool has_other;               // whether the other branch is still to do
   };
 
   // The edge of the odd components whose cost grows fastest; -1 if nothing better can come of this flow.
@@ -134,7 +136,7 @@ private:
     m_branches.pop_back();
   }
 
-  // Back to the flow that there was.
+  // Restores the bounds and the flow from before the search.
   void leave_all_branches()
   {
     while(!m_branches.empty())

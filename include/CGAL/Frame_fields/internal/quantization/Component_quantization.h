@@ -34,8 +34,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The quantization of one connected component. It may be run again with other bounds: then its flow starts from the one
-// before, and only what the bounds disturb is done again.
+// The quantization of one connected component. It may be run again with other bounds: the new flow starts from the flow
+// before, and only what the new bounds disturb is computed again.
 class Component_quantization
 {
 public:
@@ -59,7 +59,7 @@ public:
 
   const Bidirected_network& network() const { return m_network; }
 
-  // All bounds must allow something.
+  // The bounds of each edge must contain an integer of [-largest_value, largest_value].
   const Quantization& run(const Quantization_options& options)
   {
     if(!m_is_done)
@@ -131,7 +131,8 @@ private:
     return true;
   }
 
-  // Integers next to the halves. They cost as much, but in odd components a sum is not 0.
+  // The halves rounded to integers. The integers cost as much as the halves, but in each odd component one sum is 1 or
+  // -1. The flow stays as it is.
   std::vector<int> rounded_halves(bool& has_odd_components)
   {
     const Half_integral_flow::Optimum halves = m_flow->optimum();
@@ -176,7 +177,7 @@ private:
   Bidirected_network m_network;
   std::optional<Half_integral_flow> m_flow;
   std::vector<int> m_changed_edges; // whose bounds the flow does not know yet
-  bool m_has_optimal_flow = false;  // but for these
+  bool m_has_optimal_flow = false;  // for the bounds before those changes
   bool m_is_done = false;
   Quantization m_result;
 };

@@ -24,8 +24,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// A network without the nodes that only say that two edges have the same value, which most nodes of T-meshes do: a
-// chain of such edges is one edge. The sum of their costs is that of the chain, up to a constant.
+// A network without the nodes that only make the values of two edges equal, as most nodes of T-meshes do. A chain of
+// edges between such nodes becomes one edge, whose cost is the sum of the costs of the chain up to a constant. The
+// given network must outlive this one.
 class Contracted_network
 {
 public:
@@ -48,7 +49,7 @@ public:
     set_targets();
   }
 
-  // Those of the chains follow from those of the given edges. The lower one of a chain may exceed the upper one.
+  // The bounds of a chain are the tightest ones of its edges. Its lower bound may exceed its upper bound.
   void update_bounds()
   {
     for(Bidirected_edge& chain : m_network.edges)
@@ -69,7 +70,7 @@ public:
   // The edge that has the value of a given edge.
   int chain(const int edge) const { return m_chain[edge]; }
 
-  // Whether a given edge has a bound of its chain. Those of none do not matter.
+  // Whether a given edge has the lower bound or the finite upper bound of its chain. Other edges do not restrict it.
   bool bounds_its_chain(const int e) const
   {
     const Bidirected_edge& edge = m_given.edges[e];
@@ -99,7 +100,7 @@ private:
     return is_equation ? other : -1;
   }
 
-  // The chain from an end on. One that closes at its begin has no nodes.
+  // Adds the chain that begins with an end. A chain that closes at its beginning has no nodes.
   void add_chain(const int begin)
   {
     const int number = static_cast<int>(m_network.edges.size());

@@ -38,28 +38,28 @@ inline double deviation_slope(const Bidirected_edge& edge, const double n, const
   return edge.weight * (2 * (n - edge.target) + step);
 }
 
-// The integer in [lower, upper] that is nearest to a number.
+// The integer in [lower, upper] that is nearest to a number, the lower one of two. It is `lower` for NaN.
 inline int nearest_integer(const double number, const int lower, const int upper)
 {
   if(!(number > lower))
     return lower;
   if(number > upper)
     return upper;
-  // From above, for the next integer may not be an int.
+  // The number is at most `upper` here, so that the integer below fits into an int, but the next one may not.
   const int below = static_cast<int>(std::floor(number));
   return (below < upper && number - below > .5) ? below + 1 : below;
 }
 
 // The directed graph that has each node n of a bidirected network twice, as (n, +) and (n, -), and each edge as two
 // mirrored arcs: one from the node of the edge's first end, with its sign there, to the node of the second end, with
-// the opposite sign; the other from the second end to the first. What is 0 in the network at n is conserved at both
-// copies of n if both arcs carry the value of the edge. All free ends are at one more node, its own mirror image.
+// the opposite sign; the other from the second end to the first. If both arcs carry the value of the edge, a sum of 0
+// at n means that the flow is conserved at both copies of n. All free ends are at one more node, its own mirror image.
 //
-// So directed cycles are the closed strips of the network and the strips between free ends, and ordinary flows give the
-// solutions of the network in halves.
+// So the directed cycles are the closed strips of the network and the strips between free ends. The mean of a flow over
+// the two arcs of each edge is a solution of the network in halves.
 struct Double_cover
 {
-  // Of arc 2e + i of edge e; it runs from end i to end 1 - i.
+  // Per arc. Edge e has the arcs 2 e + i; such an arc runs from end i to end 1 - i of the edge.
   std::vector<int> tail, head;
   std::vector<int> first_place; // per node, and one more
   std::vector<int> incident;    // by places: 2 * arc, or 2 * arc + 1 at the head of the arc

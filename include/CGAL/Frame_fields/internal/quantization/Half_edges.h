@@ -24,6 +24,8 @@ namespace internal {
 // The edges with half values of a half-integral flow. In each of their connected components, steps of +1/2 and -1/2 are
 // passed along a closed tour through all of its edges. If they agree where the tour closes, the component gets integers
 // at no cost, since both directions cost the same at an optimum. Otherwise it is odd: it has no integers of its own.
+//
+// An object rounds only once, either by `round_all()` or by `make_integral()`, in linear time.
 class Half_edges
 {
 public:

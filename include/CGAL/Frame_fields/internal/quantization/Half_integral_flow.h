@@ -58,7 +58,8 @@ public:
     }
   }
 
-  // Returns whether there is a solution. The bounds must not exclude one another.
+  // Finds the optimum. Returns whether there is a solution. The lower bound of each edge must be at most its upper
+  // bound.
   bool solve()
   {
     std::int64_t largest_excess = 0;
@@ -80,7 +81,8 @@ public:
     return remove_excesses();
   }
 
-  // Changes the bounds of an edge, and its flow as far as they ask for it. `solve_again()` does the rest.
+  // Changes the bounds of an edge, and the flow of its two arcs where the bounds or the costs ask for it. Call
+  // `solve_again()` after the last change.
   void set_bounds(const int edge, const int lower, const int upper)
   {
     m_lower[edge] = lower;
@@ -89,6 +91,7 @@ public:
     make_optimal(2 * edge + 1);
   }
 
+  // Makes the flow optimal again after `set_bounds()`. Returns whether there is a solution.
   bool solve_again()
   {
     const std::int64_t large_excess = 16; // for single steps
@@ -98,7 +101,7 @@ public:
     return remove_excesses();
   }
 
-  // What an optimal flow is, without its bounds. It can come back once these are those that it was optimal for.
+  // An optimal flow without its bounds. It may be restored only when the bounds are those that it was optimal for.
   struct Optimum
   {
     std::vector<int> flow;         // per arc
@@ -124,7 +127,8 @@ public:
 
   bool is_half(const int edge) const { return doubled_value(edge) % 2 != 0; }
 
-  // Gives an edge an integer at a distance of at most 1/2. The caller does so with edges that balance one another.
+  // Gives both arcs of an edge an integer that differs from its value by at most 1/2. The excesses are not updated, so
+  // the caller must change edges that balance one another.
   void set_value(const int edge, const int value) { m_flow[first_arc(edge)] = m_flow[first_arc(edge) + 1] = value; }
 
   double cost() const
@@ -144,7 +148,7 @@ public:
   const Double_cover& graph() const { return m_graph; }
   const std::vector<double>& potential() const { return m_potential; }
 
-  // The number of nodes that were visited so far.
+  // The number of nodes that all shortest paths have visited so far, a measure of time.
   std::int64_t work() const { return m_work; }
 
   // After a failure: the nodes from which an excess could not go on.
@@ -166,7 +170,7 @@ private:
     return m_potential[m_graph.tail[arc]] - m_potential[m_graph.head[arc]];
   }
 
-  // What m_step units cost, each, along an arc or back.
+  // The reduced cost, per unit, of `m_step` more or fewer units on an arc.
   double forward_cost(const int arc) const
   {
     return deviation_slope(m_network.edges[arc / 2], m_flow[arc], m_step) + potential_difference(arc);
@@ -201,7 +205,7 @@ private:
       push(arc, -m_step);
   }
 
-  // The same for steps of 1 and any distance from the optimum.
+  // The same for steps of 1, also if the flow of the arc is far from its optimum or violates its bounds.
   void make_optimal(const int arc)
   {
     const int lower = m_lower[arc / 2], upper = m_upper[arc / 2];
@@ -239,8 +243,8 @@ private:
     return number_of_blocked_sources == 0;
   }
 
-  // Moves one step of excess along a shortest path, by Dijkstra's algorithm with reduced costs. If there is no path,
-  // none of the nodes that were reached has one, in this phase.
+  // Moves one step of excess along a shortest path, by Dijkstra's algorithm with reduced costs. If no path leads to a
+  // node that lacks a step, none does from the nodes that were reached either, until the phase ends.
   void move_excess(const int source)
   {
     m_queue.clear();
@@ -317,7 +321,7 @@ private:
   std::vector<double> m_potential;       // per node
   std::vector<double> m_distance;        // per node
   std::vector<int> m_arrival;            // per node: the last step of its path, as in Double_cover::incident
-  std::vector<int> m_last_dead_phase;    // per node: when there was last no path from it
+  std::vector<int> m_last_dead_phase;    // per node: the last phase in which no path left it, 0 if there was none
   std::vector<Entry> m_queue;            // a heap
   std::vector<int> m_reached, m_sources; // nodes
   int m_step = 1;

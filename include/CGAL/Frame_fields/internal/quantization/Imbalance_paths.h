@@ -26,8 +26,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Makes sums 0 that are 1 or -1 at a few nodes: each is joined with the nearest other one, or a free end, by a path
-// along which the values change by 1. Near is what costs little for the potentials of the half-integral flow.
+// Makes the sums 0 at the few nodes where they are 1 or -1. Each such node is joined to the nearest other one, or to a
+// free end, by a path along which the values change by 1. The length of a path is its cost, reduced by the potentials
+// of the half-integral flow.
 class Imbalance_paths
 {
 public:
@@ -41,8 +42,8 @@ public:
       add_to_sums(static_cast<int>(e), value[e]);
   }
 
-  // Returns whether all sums are 0 then. A shortest path may pass an edge twice that must change only once; then it has
-  // to do without.
+  // Returns whether all sums are 0 afterward. A shortest path may pass an edge twice that may change only once; then
+  // one arc of this edge is banned and the search is repeated.
   bool join()
   {
     const int maximum_number_of_trials = 4;
@@ -69,7 +70,7 @@ private:
         m_sum[m_network.edges[e].node[end]] += static_cast<long long>(m_network.edges[e].sign[end]) * amount;
   }
 
-  // Who comes to the copy 2 n + 1 of a node n has added 1 to its sum, who comes to 2 n has taken 1 away.
+  // A path that ends at the copy 2 n + 1 of a node n adds 1 to the sum of n; one that ends at 2 n subtracts 1.
   bool ends_at(const int copy) const
   {
     if(copy / 2 >= m_network.number_of_nodes)

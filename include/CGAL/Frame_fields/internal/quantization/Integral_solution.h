@@ -32,11 +32,14 @@ namespace internal {
 
 // Decides whether a network has integers within its bounds, whatever they cost, by Edmonds' matching algorithm.
 //
-// Each edge may change by up to 2 in both directions, by unit steps that are done or not. A node has as many vertices
-// as units must be at it, and each step has vertices of its own between those of its two ends, such that a matching
-// tells whether it is done. One augmenting path of matchings is a strip between two nodes whose sum is not 0 yet; a
-// strip that exists passes no edge more than twice. So if nothing improves, there are no integers. A free end need not
-// be matched: two copies of the graph, whose free ends are joined, say that by a perfect matching.
+// Each edge may change by up to 2 in both directions, by unit steps that are done or not. A node of the network becomes
+// as many vertices of a graph as it needs units, and each step becomes vertices between those of its two ends; the
+// matching of these vertices tells whether the step is done. An augmenting path of the matching is a strip between two
+// nodes whose sums are not 0 yet. If there is such a strip, there is one that passes no edge more than twice. So if
+// nothing improves, there are no integers. The vertex of a free end need not be matched: the graph is taken twice, and
+// the two copies of such a vertex are joined by an edge.
+//
+// A node of degree d adds O(d^2) edges to the graph.
 class Integral_solution
 {
 public:
@@ -44,7 +47,7 @@ public:
     : m_network(network), m_value(value)
   {}
 
-  // Changes the values, which must be within the bounds, until all sums are 0; returns whether that is possible.
+  // Changes the values until all sums are 0; returns whether that is possible. The values must be within the bounds.
   bool find()
   {
     std::int64_t rest = total_imbalance();

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Lagrange multipliers of the sums at the nodes, roughly: with them, each edge for itself gets a value that makes the
-// sums small. They start the flow near its end; any others would do as well, only not as fast.
+// Approximate Lagrange multipliers of the sums at the nodes. If each edge alone takes the value of least cost for them,
+// the sums are small. The flow starts from these multipliers: any others are correct as well, but slower.
 //
-// One node after the other changes its multiplier such that its sum would be 0 if its edges had real values that stay
-// off their bounds.
+// Each node in turn changes its multiplier such that its sum would be 0 if no edge changed between a bound and a value
+// between its bounds. A sweep takes linear time.
 class Node_multipliers
 {
 public:
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  // What the multipliers say together to an edge.
+  // The slope that the multipliers at both ends add to the cost of an edge.
   double slope(const Bidirected_edge& edge) const
   {
     double result = 0;
@@ -70,7 +70,7 @@ private:
 
   void improve(const int node)
   {
-    double sum = 0, free_change = 0, change = 0; // the latter two: of the sum, by the multiplier
+    double sum = 0, free_change = 0, change = 0; // by how much a unit of the multiplier lowers the sum
     for(int place = m_first_place[node]; place < m_first_place[node + 1]; ++place)
     {
       const Bidirected_edge& edge = m_network.edges[m_incident[place] / 2];

@@ -27,7 +27,7 @@ struct Quantization_options
   std::int64_t maximum_number_of_flows = 2000;     // in branch and bound, per component
   std::int64_t maximum_number_of_steps = 10000000; // in branch and bound, per component: one per edge and visit
   int maximum_number_of_strip_rounds = 20;
-  bool joins_by_paths = true;                      // whether odd components are joined, before anything is searched
+  bool joins_by_paths = true;                      // whether `Imbalance_paths` runs before branch and bound
 };
 
 // Integers for all edges of a network.
@@ -35,12 +35,14 @@ struct Quantization
 {
   bool is_feasible = true;          // there are integers within the bounds, and `value` has them
   bool is_optimal = true;           // no integers cost less
-  std::vector<int> value;           // per edge; in a component without solution, the integer nearest to the target
+  std::vector<int> value;           // per edge; in a component without solution, the integer nearest to the target;
+                                    // all 0 if the bounds of a chain of equal edges exclude one another
   std::vector<int> unattainable;    // edges that must not be 0 but lie on no strip: they are 0 in every solution
   std::vector<int> conflicting;     // where nothing is unattainable, but there is no solution: edges whose bounds
                                     // exclude one another
   double cost = 0;                  // sum of weight (value - target)^2
-  double cost_bound = 0;            // at most the least cost: the cost itself if it is, or that of the best halves
+  double cost_bound = 0;            // at most the least cost: where the values are optimal, their cost, elsewhere the
+                                    // cost of the best halves
   int number_of_strips_moved = 0;   // by the strip search
 };
 

@@ -36,8 +36,8 @@ namespace internal {
 // paths make integers of them, and branch and bound looks for better ones. If it cannot finish, the strip search
 // improves what there is.
 //
-// It may be run again after bounds of the network have changed, but nothing else of it. Then only components with other
-// bounds are done again, from the flow that they have.
+// It may be run again after bounds of the network have changed; nothing else of the network may change, and the network
+// must outlive the quantizer. Then only components with new bounds are solved again, starting from their last flows.
 class Quantizer
 {
 public:
@@ -59,7 +59,7 @@ public:
     if(!add_contradictions(result))
       return result;
     m_value.resize(m_contracted.network().edges.size());
-    for(std::size_t c = 0; c < m_value.size(); ++c) // those of no component keep it
+    for(std::size_t c = 0; c < m_value.size(); ++c) // kept by edges of no component
     {
       const Bidirected_edge& edge = m_contracted.network().edges[c];
       m_value[c] = nearest_integer(edge.target, edge.lower_bound, edge.upper_bound);
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  // Adds the edges whose bounds exclude one another without any others. Returns whether there are none.
+  // Adds the edges of chains that no integer fits. Returns whether there are none.
   bool add_contradictions(Quantization& result) const
   {
     for(std::size_t e = 0; e < m_given.edges.size(); ++e)

@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Improves integers that solve a network: wherever the potentials of the half-integral flow say that a step of +1 or
-// -1 could gain something, it looks for the cheapest strip that closes this step, and moves the strip if that pays. A
-// strip may pass an edge twice, which then changes by 2.
+// Improves integers that solve a network. Wherever a step of +1 or -1 has a negative reduced cost for the potentials of
+// the half-integral flow, it looks for the cheapest strip that closes this step, and moves the strip if that lowers the
+// cost. A strip may pass an edge twice, which then changes by 2.
 class Strip_search
 {
 public:
@@ -38,7 +38,7 @@ public:
     , m_change(network.edges.size(), 0), m_is_banned(graph.number_of_arcs(), 0)
   {}
 
-  // Tries all steps until none pays, at most so many times; returns how many strips were moved.
+  // Tries all steps in rounds until no step lowers the cost. Returns how many strips were moved.
   int improve(const int maximum_number_of_rounds)
   {
     int number_of_strips = 0;
@@ -105,7 +105,8 @@ private:
     return result;
   }
 
-  // The shortest strip is of no use if it passes twice an edge that must change only once. Then it has to do without.
+  // The shortest strip is of no use if it passes an edge twice that may change only once. Then the arc of the second
+  // passage is banned and the search is repeated.
   bool move_strip_through(const Step& step)
   {
     const int maximum_number_of_trials = 4;
@@ -131,7 +132,8 @@ private:
     return has_moved;
   }
 
-  // Dijkstra's algorithm from the end of a step to its begin. What gains something by itself counts as free.
+  // A shortest path from the end of a step to its beginning by Dijkstra's algorithm, and the step itself; empty if 1024
+  // visits find none. Negative reduced costs count as 0.
   std::vector<Step> shortest_strip(const Step& step)
   {
     const int maximum_number_of_visits = 1024, end = begin_of(step);

@@ -65,7 +65,7 @@ inline bool is_unconstrained(const Bidirected_edge& edge)
   return edge.node[0] == edge.node[1] && (edge.node[0] < 0 || edge.sign[0] != edge.sign[1]);
 }
 
-// The edge with a target and a weight that can be computed with, whatever they were.
+// The edge with its target clamped to [-1e9, 1e9] and its weight to [1e-9, 1e9]. NaN becomes the lower bound or 1e-9.
 inline Bidirected_edge finite_edge(Bidirected_edge edge)
 {
   const double largest_target = 1e9, smallest_weight = 1e-9, largest_weight = 1e9;
@@ -112,8 +112,9 @@ inline std::vector<Network_component> network_components(const Bidirected_networ
   return result;
 }
 
-// Whether sums of 0 are possible modulo 2: every edge between two nodes changes both, so where no free end and no edge
-// that is not fixed leads out of a set of nodes, the number of its odd sums must be even.
+// Whether all sums can be even. An edge that is not fixed changes the parity of both its nodes. So in each set of nodes
+// that such edges connect, the fixed edges must make an even number of sums odd, unless an edge of the set that is not
+// fixed has a free end.
 inline bool has_consistent_parity(const Bidirected_network& network)
 {
   Disjoint_sets sets(network.number_of_nodes);

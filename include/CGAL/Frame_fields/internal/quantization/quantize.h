@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The integers of a network, once.
+// The integers of a network; see `Quantizer`.
 inline Quantization quantize(const Bidirected_network& network,
                              const Quantization_options& options = Quantization_options())
 {

@@ -29,7 +29,8 @@ namespace Frame_fields {
 namespace internal {
 
 // The numbers of quads along all pieces of T-meshes and along all arcs, as the unknowns of a network. First come the
-// arcs, then the pieces of one patch after the other, then half the number of each arc that must have an even one.
+// arcs, then the pieces of one patch after the other. Then comes half the number of an arc, once for each side of it on
+// a patch without T-mesh.
 struct T_mesh_network
 {
   Bidirected_network network;
@@ -48,7 +49,7 @@ struct Edge_length_targets
 
 // Makes the network: in each cell, opposite sides have equal sums; the pieces on each side of an arc have the number of
 // the arc as their sum. So T-nodes on one side need not match those on the other. A patch whose T-mesh is empty is
-// filled otherwise; this takes any even numbers.
+// filled without one, which takes any even numbers on its arcs.
 class T_mesh_network_builder
 {
 public:
@@ -110,7 +111,7 @@ private:
     }
   }
 
-  // Where the two sides ask for different lengths, their geometric mean is the target.
+  // The edge length of an arc is that of its patch, or the geometric mean of those of its two patches.
   double edge_length_of_arc(const std::size_t arc) const
   {
     double product = 1;
@@ -174,7 +175,7 @@ private:
     }
   }
 
-  // An even number is twice an integer: an edge both of whose ends are at the node of the side.
+  // Makes the number of an arc even, as twice an integer: an edge with both ends at the node of the side.
   void add_even_arcs()
   {
     const double negligible_factor = 1e-6;
@@ -198,6 +199,7 @@ private:
   T_mesh_network m_result;
 };
 
+// The network of T-meshes, one per patch and empty where there is none, in linear time.
 inline T_mesh_network t_mesh_network(const Cut_surface& surface, const Feature_network& features,
                                      const std::vector<T_mesh>& t_meshes, const Edge_length_targets& targets)
 {

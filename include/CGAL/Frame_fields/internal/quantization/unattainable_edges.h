@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The strongly connected components of the double cover, where an arc may be run along in the directions that the sign
-// of its value allows (by Tarjan's algorithm without recursion).
+// The strongly connected components of the double cover (by Tarjan's algorithm without recursion). An arc may be passed
+// forward if its edge can have a positive value, and backward if it can have a negative one.
 class Strip_components
 {
 public:
@@ -101,8 +101,8 @@ private:
   int m_count = 0;
 };
 
-// The edges that must not be 0, but are 0 whatever integers solve the network: those on no closed strip and on none
-// between free ends, for every solution is a sum of such strips.
+// The edges whose bounds exclude 0, but which are 0 in every solution of the network: those that lie neither on a
+// closed strip nor on a strip between free ends, as every solution is a sum of such strips. The time is linear.
 inline std::vector<int> unattainable_edges(const Bidirected_network& network)
 {
   const Double_cover graph(network);
