@@ -26,15 +26,16 @@ namespace Frame_fields {
 
 /// \ingroup PkgFrame_fieldsEnums
 ///
-/// lists the stages of `cad_quad_mesh()` and `quad_mesh()` in their order.
+/// lists the stages of `cad_quad_mesh()` and `quad_mesh()`. Quantization and smoothing take turns while quadrangles
+/// stay inverted; the assembly comes last.
 enum class Quad_stage
 {
   PREPARATION,   ///< a copy of the mesh is refined until the field and the map have room
   FIELD,         ///< see `cad_frame_field()`
   SEAMLESS_MAP,  ///< each patch gets a seamless map and its certificate
   T_MESH,        ///< each certified patch is divided into rectangular cells
-  QUANTIZATION,  ///< all arcs get their numbers of edges, in one system
-  ASSEMBLY,      ///< quadrangles are made patch by patch and stitched along the arcs
+  QUANTIZATION,  ///< all arcs get their numbers of edges, in one system, and the quadrangles are made and checked
+  ASSEMBLY,      ///< the quadrangles become faces of the output mesh
   SMOOTHING      ///< vertices move on the surface
 };
 

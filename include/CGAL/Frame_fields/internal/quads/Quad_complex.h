@@ -41,6 +41,17 @@ struct Quad_complex
   std::vector<char> is_loop;               // per feature arc
 };
 
+// Puts `number[v]` in the place of each vertex v of quads and arcs.
+inline void renumber_vertices(const std::vector<int>& number, Quad_complex& complex)
+{
+  for(std::array<int, 4>& quad : complex.quads)
+    for(int& v : quad)
+      v = number[v];
+  for(std::vector<int>& arc : complex.arcs)
+    for(int& v : arc)
+      v = number[v];
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

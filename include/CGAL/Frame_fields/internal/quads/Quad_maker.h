@@ -302,12 +302,7 @@ private:
         complex.vertices[representative[v]] = complex.vertices[v];
         m_singular_sector[representative[v]] = m_singular_sector[v];
       }
-    for(std::array<int, 4>& quad : complex.quads)
-      for(int& v : quad)
-        v = representative[v];
-    for(std::vector<int>& arc : complex.arcs)
-      for(int& v : arc)
-        v = representative[v];
+    renumber_vertices(representative, complex);
   }
 
   // Raises bounds at joined vertices that do not have as many quads as the field asks for. Vertices of fillings and of

@@ -39,12 +39,7 @@ inline std::vector<int> remove_unused_vertices(Quad_complex& complex)
       old_number.push_back(static_cast<int>(v));
     }
   complex.vertices.resize(number_of_vertices);
-  for(std::array<int, 4>& quad : complex.quads)
-    for(int& v : quad)
-      v = number[v];
-  for(std::vector<int>& arc : complex.arcs)
-    for(int& v : arc)
-      v = number[v];
+  renumber_vertices(number, complex);
   return old_number;
 }
 
