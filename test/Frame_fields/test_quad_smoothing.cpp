@@ -577,6 +577,8 @@ TEST(Quad_measures, scaled_jacobian_is_that_of_the_definition)
   const Quad_shape square = quad_shape({ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }, { 0, 0, -1 });
   EXPECT_EQ(square.scaled_jacobian, -1);
   EXPECT_EQ(quad_shape({ { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }).distortion, 4);
+  EXPECT_NEAR(quad_shape({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 0, 1, 0 } } }).distortion,
+              4 * (1 + weight_of_side_ratio * 2 / 3), 1e-14);
   EXPECT_EQ(quad_shape({ { { 0, 0, 0 }, { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } } }).scaled_jacobian, 0);
 }
 

@@ -29,9 +29,14 @@ typedef std::array<Coordinates, 4> Quad_points;
 struct Quad_shape
 {
   double scaled_jacobian; // the least of the four corners
-  double distortion;      // sum over the corners of (a / b + b / a) / (2 J) for sides a, b and scaled Jacobian J; at
-                          // least 4, which a square has, and infinite if a J is not positive
+  double distortion;      // sum over the corners of (1 - w + w (a / b + b / a) / 2) / J for sides a, b, scaled
+                          // Jacobian J and w = `weight_of_side_ratio`; at least 4, which a square has, and infinite if
+                          // a J is not positive
 };
+
+// Angles count more than the ratio of the sides, as the elements of a solver stand stretched quads better than skew
+// ones. With less weight still, rows of quads become several times as long as their neighbours.
+constexpr double weight_of_side_ratio = 0.4;
 
 // The scaled Jacobian of a corner is that of Verdict: the sine of its angle, seen along the normal of the quad's
 // principal axes. That normal is the quad's own, so a flat quad that lies on its face seems good. It counts as negative
@@ -58,8 +63,10 @@ inline Quad_shape quad_shape(const Quad_points& points, const Coordinates& surfa
     const double product = sign * dot(cross(side[previous], side[k]), normal);
     const double jacobian = denominator > 0 ? product / denominator : 0;
     shape.scaled_jacobian = (std::min)(shape.scaled_jacobian, jacobian);
-    shape.distortion += jacobian > 0 ? (squared_length[k] + squared_length[previous]) / (2 * lengths * jacobian)
-                                     : std::numeric_limits<double>::infinity();
+    const double mean_square = (squared_length[k] + squared_length[previous]) / 2;
+    shape.distortion += jacobian > 0
+      ? (lengths + weight_of_side_ratio * (mean_square - lengths)) / (lengths * jacobian)
+      : std::numeric_limits<double>::infinity();
   }
   return shape;
 }

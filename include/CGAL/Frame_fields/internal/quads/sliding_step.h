@@ -66,18 +66,31 @@ private:
   Coordinates m_origin, m_x{ 0, 0, 0 }, m_y{ 0, 0, 0 };
 };
 
-// The sum of (|a|^2 + |b|^2) / (2 a x b) over the corners with sides a and b that move with a vertex. Each term is
-// convex where a x b is positive, as a x b is linear in the place of the vertex.
+// The sum of (w (|a|^2 + |b|^2) / 2 + (1 - w) |a| |b|) / a x b over the corners with sides a and b that move with a
+// vertex. In it, |a| |b| is replaced by (|a|^2 |b'| / |a'| + |b|^2 |a'| / |b'|) / 2 for the sides a' and b' before the
+// move, which is nowhere less and has the same gradient there. So each term is convex where a x b is positive, as a x b
+// is linear in the place of the vertex.
 class Distortion_expansion
 {
 public:
-  // Adds a corner with |a|^2 + |b|^2 of the given value, gradient and second derivative (times the identity), and
-  // a x b of the given value and gradient. Returns whether that is positive.
-  bool add(const double squares, const Plane_vector& gradient, const double second_derivative, const double area,
-           const Plane_vector& area_gradient)
+  struct Side
   {
-    if(!(area > 1e-9 * squares))
+    Plane_vector vector; // from the vertex if it moves
+    bool moves;
+  };
+
+  // Adds the corner between two sides, with their a x b and its gradient. Returns whether that is positive.
+  bool add(const Side& s, const Side& t, const double area, const Plane_vector& area_gradient)
+  {
+    const double ss = dot(s.vector, s.vector), tt = dot(t.vector, t.vector);
+    if(!(area > 1e-9 * (ss + tt)))
       return false;
+    const double length_ratio = std::sqrt(tt / ss);
+    const double weight_s = weight_of_side_ratio + (1 - weight_of_side_ratio) * length_ratio;
+    const double weight_t = weight_of_side_ratio + (1 - weight_of_side_ratio) / length_ratio;
+    const double moving_s = s.moves ? weight_s : 0, moving_t = t.moves ? weight_t : 0;
+    const double squares = weight_s * ss + weight_t * tt, second_derivative = 2 * (moving_s + moving_t);
+    const Plane_vector gradient = -2. * (moving_s * s.vector + moving_t * t.vector);
     const double inverse = 1 / (2 * area), ratio = squares / area;
     // With w = s' - s t' / t and u = t' / t the derivatives of s / t are w / t and (s'' - w u - u w) / t.
     const Plane_vector w = gradient - ratio * area_gradient, u = 1 / area * area_gradient;
@@ -104,7 +117,7 @@ private:
   double m_xx = 0, m_xy = 0, m_yy = 0;
 };
 
-// The step of Newton's method for the distortion in the plane; where a quad is inverted there, the step to the middle
+// The step of Newton's method for the bound of the distortion in the plane; where a quad is inverted there, the step to the middle
 // of the neighbours.
 inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
 {
@@ -123,9 +136,10 @@ inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
       continue;
     // At the vertex x = 0 itself (a - x) x (d - x); at the next one (b - a) x (x - a); at the previous one
     // (x - d) x (b - d).
-    is_regular = expansion.add(dot(a, a) + dot(d, d), -2. * (a + d), 4, cross(a, d), quarter_turn(d - a))
-                 && expansion.add(dot(b - a, b - a) + dot(a, a), -2. * a, 2, -cross(b - a, a), quarter_turn(b - a))
-                 && expansion.add(dot(b - d, b - d) + dot(d, d), -2. * d, 2, -cross(d, b - d), -quarter_turn(b - d));
+    is_regular =
+      expansion.add({ a, true }, { d, true }, cross(a, d), quarter_turn(d - a))
+      && expansion.add({ b - a, false }, { a, true }, -cross(b - a, a), quarter_turn(b - a))
+      && expansion.add({ b - d, false }, { d, true }, -cross(d, b - d), -quarter_turn(b - d));
   }
   Plane_vector step;
   if(!is_regular || !expansion.step(step))
