@@ -117,10 +117,11 @@ private:
   double m_xx = 0, m_xy = 0, m_yy = 0;
 };
 
-// The step of Newton's method for the bound of the distortion in the plane; where a quad is inverted there, the step to the middle
-// of the neighbours.
+// The step of Newton's method for the bound of the distortion in the plane, made longer as in successive overrelaxation,
+// which takes fewer sweeps; where a quad is inverted there, the step to the middle of the neighbours.
 inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
 {
+  const double overrelaxation = 1.8;
   const Vertex_plane plane(quads, vertex);
   Distortion_expansion expansion;
   Plane_vector sum{ 0, 0 };
@@ -142,7 +143,9 @@ inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
       && expansion.add({ b - d, false }, { d, true }, -cross(d, b - d), -quarter_turn(b - d));
   }
   Plane_vector step;
-  if(!is_regular || !expansion.step(step))
+  if(is_regular && expansion.step(step))
+    step = overrelaxation * step;
+  else
   {
     const std::ptrdiff_t n = quads.corners_end(vertex) - quads.corners_begin(vertex);
     step = 1. / static_cast<double>((std::max)(n, std::ptrdiff_t(1))) * sum;
