@@ -279,7 +279,7 @@ void run_step(const int step, Sliding_quads& quads)
   std::vector<int> vertices(quads.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
   if(step % 3 == 0)
-    Distortion_sweeps(quads, vertices).run(1, 0.6);
+    Distortion_sweeps<CGAL::Sequential_tag>(quads, vertices).run(1, 0.6);
   else if(step % 3 == 1)
     improve_worst_quads(quads, vertices, 0.5);
   else

@@ -91,6 +91,7 @@ public:
   const Coordinates& point(const int vertex) const { return m_point[vertex]; }
   const Quad_shape& shape(const int quad) const { return m_shape[quad]; }
   const Surface_walker& walker() const { return m_walker; }
+  const Cut_surface& surface() const { return m_walker.surface(); }
   const Arc_order& arc_order() const { return m_arc_order; }
 
   // The corners of a vertex, each four times its quad plus its place in it.

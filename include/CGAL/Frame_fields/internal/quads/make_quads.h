@@ -111,7 +111,7 @@ Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& emb
   const std::vector<T_mesh_status> t_mesh_status =
     make_T_meshes<ConcurrencyTag>(measured_surface, embedding, index, map, features, t_meshes);
   Refined_quads quads =
-    make_smooth_quads(surface, embedding, index, features, map, t_meshes, request, targets, clock);
+    make_smooth_quads<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, request, targets, clock);
 
   statistics.number_of_nodes =
     static_cast<std::size_t>(std::count(features.is_node.begin(), features.is_node.end(), char(1)));

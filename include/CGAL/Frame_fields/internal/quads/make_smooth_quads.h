@@ -72,7 +72,7 @@ struct Refined_quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
 // be raised, or when a refinement leaves more than 3/4 of the least number of inverted quads so far and these are less
 // than a tenth of all quads. Returns the quads with the fewest inverted ones.
-template <typename StageClock>
+template <typename ConcurrencyTag, typename StageClock>
 Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                  const Feature_network& features, const std::vector<T_mesh>& t_meshes,
                                  const Quad_request& request, const Quad_targets& targets, Quad_maker& maker,
@@ -96,7 +96,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
     clock.start(Quad_stage::SMOOTHING);
     options.arc_tolerance = next.arc_tolerance;
     const std::vector<int> inverted =
-      smooth_inverted_quads(next.complex, surface, embedding, features, next.is_filled, options);
+      smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
     const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
     const bool is_worth_more =
@@ -114,7 +114,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
 }
 
 // Makes quads and smooths them as a whole. `t_meshes` of patches that are filled become empty.
-template <typename StageClock>
+template <typename ConcurrencyTag, typename StageClock>
 Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                 const std::vector<int>& index, const Feature_network& features,
                                 const Seamless_map& map, std::vector<T_mesh>& t_meshes, const Quad_request& request,
@@ -122,16 +122,16 @@ Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedd
 {
   Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
   Refined_quads quads =
-    make_refined_quads(surface, embedding, features, t_meshes, request, targets, maker, clock);
+    make_refined_quads<ConcurrencyTag>(surface, embedding, features, t_meshes, request, targets, maker, clock);
   Smoothing_options options = smoothing_through_poor_shapes();
   options.arc_tolerance = quads.arc_tolerance;
 
   // Valid quads matter more than that vertices stay at the bends of arcs.
   options.may_release_bends = true;
-  smooth_inverted_quads(quads.complex, surface, embedding, features, std::vector<char>(surface.patches.size(), 0),
-                        options);
+  const std::vector<char> no_patch(surface.patches.size(), 0);
+  smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, no_patch, options);
   options.untangles = options.may_release_bends = false;
-  smooth(quads.complex, surface, embedding, features, options);
+  smooth<ConcurrencyTag>(quads.complex, surface, embedding, features, options);
   return quads;
 }
 

@@ -117,8 +117,8 @@ private:
   double m_xx = 0, m_xy = 0, m_yy = 0;
 };
 
-// The step of Newton's method for the bound of the distortion in the plane, made longer as in successive overrelaxation,
-// which takes fewer sweeps; where a quad is inverted there, the step to the middle of the neighbours.
+// The step of Newton's method for the bound of the distortion in the plane, made longer as in successive
+// overrelaxation, which takes fewer sweeps; where a quad is inverted there, the step to the middle of the neighbours.
 inline Coordinates step_inside(const Sliding_quads& quads, const int vertex)
 {
   const double overrelaxation = 1.8;

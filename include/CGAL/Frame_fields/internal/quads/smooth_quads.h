@@ -21,8 +21,12 @@
 #include <CGAL/Frame_fields/internal/quads/tangled_parts.h>
 #include <CGAL/Frame_fields/internal/quads/untangle_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -63,36 +67,48 @@ inline std::vector<int> inverted_quads(const Sliding_quads& quads)
   return result;
 }
 
-// Moves vertices one after the other to where the distortion of their quads is less.
+// Moves vertices one after the other to where the distortion of their quads is less: first those on arcs, then those
+// inside each patch. Patches share no quads, so these are swept in parallel.
 //
 // A move is accepted if the worst of these quads does not get worse, or stays good enough and not worse than the worst
 // quad of all was at the start of the sweep. At a vertex of inverted quads, the worst one must get better and no other
 // one may get inverted. So the worst of all never gets worse, and no quad gets inverted.
+template <typename ConcurrencyTag>
 class Distortion_sweeps
 {
 public:
   // Only the given vertices move.
   Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices)
-    : m_quads(quads), m_vertices(vertices), m_last_move(quads.number_of_vertices(), 0)
-  {}
+    : m_quads(quads), m_vertices(vertices), m_inside(quads.surface().patches.size())
+    , m_last_move(quads.number_of_vertices(), 0)
+  {
+    for(const int v : vertices)
+      if(quads.freedom(v) == Sliding_quads::IN_PATCH)
+        m_inside[quads.vertex(v).patch].push_back(v);
+  }
 
   void run(const int number_of_sweeps, const double good_enough)
   {
+    std::vector<int> on_arcs; // more of them after a release
+    for(const int v : m_vertices)
+      if(m_quads.freedom(v) == Sliding_quads::ON_ARC)
+        on_arcs.push_back(v);
     ++m_sweep; // with this as the last move of all vertices, all may move in the first sweep
     std::fill(m_last_move.begin(), m_last_move.end(), m_sweep);
     for(int i = 0; i < number_of_sweeps; ++i)
     {
       ++m_sweep;
       m_acceptable = (std::max)(good_enough, m_quads.worst());
-      int number_of_moves = 0;
-      for(const Sliding_quads::Freedom freedom : { Sliding_quads::ON_ARC, Sliding_quads::IN_PATCH })
-        for(const int v : m_vertices)
-          if(m_quads.freedom(v) == freedom && may_move(v) && improve(v))
-          {
-            m_last_move[v] = m_sweep;
-            ++number_of_moves;
-          }
-      if(number_of_moves == 0)
+      bool has_moved = improve(on_arcs);
+      std::vector<char> has_moved_inside(m_inside.size());
+      for_each_patch<ConcurrencyTag>(m_quads.surface(), [&](const int patch)
+      {
+        has_moved_inside[patch] = improve(m_inside[patch]);
+        return Patch_result();
+      });
+      for(const char has_moved_in_patch : has_moved_inside)
+        has_moved = has_moved || has_moved_in_patch != 0;
+      if(!has_moved)
         return;
     }
   }
@@ -106,6 +122,18 @@ private:
         if(m_last_move[w] + 1 >= m_sweep)
           return true;
     return false;
+  }
+
+  bool improve(const std::vector<int>& vertices)
+  {
+    bool has_moved = false;
+    for(const int v : vertices)
+      if(may_move(v) && improve(v))
+      {
+        m_last_move[v] = m_sweep;
+        has_moved = true;
+      }
+    return has_moved;
   }
 
   bool improve(const int vertex)
@@ -157,6 +185,7 @@ private:
 
   Sliding_quads& m_quads;
   const std::vector<int>& m_vertices;
+  std::vector<std::vector<int> > m_inside; // per patch
   double m_acceptable = 0;
   int m_sweep = 0;
   std::vector<int> m_last_move; // per vertex: the sweep
@@ -164,10 +193,11 @@ private:
 
 // Untangles, improves the worst quads and sweeps, in rounds. Only the given vertices move, but untangling moves those
 // of the tangled parts.
-inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
-                        const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+template <typename ConcurrencyTag>
+void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
+                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
-  Distortion_sweeps sweeps(quads, vertices);
+  Distortion_sweeps<ConcurrencyTag> sweeps(quads, vertices);
   bool may_untangle = options.untangles && untangle_quads(quads, is_patch_left_out);
   sweeps.run(options.number_of_sweeps, options.passable);
   for(int round = 0; round < options.number_of_rounds; ++round)
@@ -185,15 +215,15 @@ inline void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertic
 
 // Smooths only around inverted quads of patches that are not left out (a flag per patch). Returns those of these
 // patches that are inverted afterward.
-inline std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
-                                              const Surface_embedding& embedding, const Feature_network& network,
-                                              const std::vector<char>& is_patch_left_out,
-                                              const Smoothing_options& options)
+template <typename ConcurrencyTag>
+std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
+                                       const Surface_embedding& embedding, const Feature_network& network,
+                                       const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
 {
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   const std::vector<int> vertices = tangled_vertices(quads, is_patch_left_out);
   if(!vertices.empty())
-    smooth_vertices(quads, vertices, is_patch_left_out, options);
+    smooth_vertices<ConcurrencyTag>(quads, vertices, is_patch_left_out, options);
   std::vector<int> result;
   for(const int q : inverted_quads(quads))
     if(!is_patch_left_out[complex.patch[q]])
@@ -203,8 +233,9 @@ inline std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_s
 
 // Smooths a quad mesh on its surface: vertices in a patch stay in it, vertices on an arc stay on it and in their order,
 // and vertices at vertices of the surface stay where they are.
-inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
-                               const Feature_network& network, const Smoothing_options& options = {})
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const Surface_embedding& embedding,
+                        const Feature_network& network, const Smoothing_options& options = {})
 {
   Smoothing_report report;
   if(complex.quads.empty())
@@ -214,7 +245,7 @@ inline Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface
   report.inverted_before = static_cast<int>(inverted_quads(quads).size());
   std::vector<int> vertices(quads.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  smooth_vertices(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
+  smooth_vertices<ConcurrencyTag>(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
   report.worst_after = quads.worst();
   report.inverted_quads = inverted_quads(quads);
   return report;

@@ -40,6 +40,8 @@ public:
       measure(f);
   }
 
+  const Cut_surface& surface() const { return m_surface; }
+
   // The unit normal of a face, zero if it has no area.
   const Coordinates& normal(const int face) const { return m_normal[face]; }
 
