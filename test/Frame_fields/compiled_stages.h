@@ -4,6 +4,8 @@
 #include <CGAL/Frame_fields/Eigen_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/internal/field/stages.h>
 #include <CGAL/Frame_fields/internal/parameterization/compute_seamless_map.h>
+#include <CGAL/Frame_fields/internal/quads/make_quads.h>
+#include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 
 #include <CGAL/tags.h>
 
@@ -29,7 +31,13 @@
     const Eigen_frame_field_solver_traits&, std::vector<Branch_rotations>&, int&);                                     \
   EXTERN_OR_NOTHING template void compute_seamless_map<Concurrency_tag>(                                               \
     const Cut_surface&, const std::vector<double>&, const std::vector<double>&, const std::vector<int>&,               \
-    const std::vector<int>&, const std::vector<double>&, const Eigen_frame_field_solver_traits&, Seamless_map&);
+    const std::vector<int>&, const std::vector<double>&, const Eigen_frame_field_solver_traits&, Seamless_map&);       \
+  EXTERN_OR_NOTHING template Quad_complex make_quads<Concurrency_tag>(                                                 \
+    const Cut_surface&, const Surface_embedding&, const std::vector<int>&, const Seamless_map&,                        \
+    const Feature_network&, const Quad_request&, const std::vector<int>&, Quad_stage_timer&, Quad_statistics&);        \
+  EXTERN_OR_NOTHING template Result make_quads_of_field<Concurrency_tag>(                                              \
+    const Cut_surface&, const Surface_embedding&, double, const Quad_request&, const std::vector<double>&,             \
+    const Options&, const Eigen_frame_field_solver_traits&, Frame_field&, bool, Quad_stage_timer&, Made_quads&);
 
 namespace CGAL {
 namespace Frame_fields {

@@ -25,26 +25,22 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Tells the visitor which stage starts, also inside the field, and measures the stages of the quad mesh.
-template <typename NamedParameters>
-class Quad_stage_clock
+// Measures the stages of the quad mesh. The stages on arrays know it without the type of the visitor, so that they are
+// the same functions for all visitors.
+class Quad_stage_timer
 {
 public:
-  explicit Quad_stage_clock(const NamedParameters& np)
-    : m_visitor(CGAL::parameters::choose_parameter<Visitor>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor)))
-    , m_start(Clock::now())
-  {}
+  virtual ~Quad_stage_timer() = default;
 
   void start(const Quad_stage stage)
   {
     stop();
     m_stage = static_cast<int>(stage);
-    unwrap(m_visitor).start_stage(stage);
+    tell(stage);
     m_stage_start = Clock::now();
   }
 
-  void start(const Stage stage) { unwrap(m_visitor).start_stage(stage); }
+  void start(const Stage stage) { tell(stage); }
 
   void stop()
   {
@@ -61,23 +57,43 @@ public:
 
 private:
   typedef std::chrono::steady_clock Clock;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                             Default_quad_mesh_visitor>::type Visitor;
 
-  template <typename T>
-  static T& unwrap(T& visitor) { return visitor; }
-  template <typename T>
-  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
+  virtual void tell(Quad_stage) = 0;
+  virtual void tell(Stage) = 0;
 
   static double seconds_since(const Clock::time_point start)
   {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  Visitor m_visitor;
-  Clock::time_point m_start, m_stage_start;
+  Clock::time_point m_start = Clock::now(), m_stage_start;
   int m_stage = -1; // -1 between stages
   std::array<double, static_cast<int>(Quad_stage::SMOOTHING) + 1> m_seconds{};
+};
+
+// Tells the visitor which stage starts, also inside the field.
+template <typename NamedParameters>
+class Quad_stage_clock : public Quad_stage_timer
+{
+public:
+  explicit Quad_stage_clock(const NamedParameters& np)
+    : m_visitor(CGAL::parameters::choose_parameter<Visitor>(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor)))
+  {}
+
+private:
+  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                             Default_quad_mesh_visitor>::type Visitor;
+
+  void tell(const Quad_stage stage) override { unwrap(m_visitor).start_stage(stage); }
+  void tell(const Stage stage) override { unwrap(m_visitor).start_stage(stage); }
+
+  template <typename T>
+  static T& unwrap(T& visitor) { return visitor; }
+  template <typename T>
+  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
+
+  Visitor m_visitor;
 };
 
 } // namespace internal

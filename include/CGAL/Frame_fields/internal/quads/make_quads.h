@@ -19,6 +19,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/reason_of.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -91,10 +92,10 @@ inline void count_patches(const Cut_surface& surface, const Seamless_map& map,
 
 // All stages after the map, with lengths in the unit of `Cut_surface::length`. `index` is 4 I per sector.
 // `number_of_edges` is the number wanted on each arc, 0 where it is free, or empty.
-template <typename ConcurrencyTag, typename StageClock>
+template <typename ConcurrencyTag>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
                         const Seamless_map& map, const Feature_network& features, const Quad_request& request,
-                        const std::vector<int>& number_of_edges, StageClock& clock, Quad_statistics& statistics)
+                        const std::vector<int>& number_of_edges, Quad_stage_timer& clock, Quad_statistics& statistics)
 {
   clock.start(Quad_stage::T_MESH);
   Cut_surface surface_with_sizes;

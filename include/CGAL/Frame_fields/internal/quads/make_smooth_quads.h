@@ -72,11 +72,11 @@ struct Refined_quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
 // be raised, or when a refinement leaves more than 3/4 of the least number of inverted quads so far and these are less
 // than a tenth of all quads. Returns the quads with the fewest inverted ones.
-template <typename ConcurrencyTag, typename StageClock>
+template <typename ConcurrencyTag>
 Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                  const Feature_network& features, const std::vector<T_mesh>& t_meshes,
                                  const Quad_request& request, const Quad_targets& targets, Quad_maker& maker,
-                                 StageClock& clock)
+                                 Quad_stage_timer& clock)
 {
   const int maximum_number_of_refinements = 6;
   double least_edge_length = request.edge_length;
@@ -114,11 +114,11 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
 }
 
 // Makes quads and smooths them as a whole. `t_meshes` of patches that are filled become empty.
-template <typename ConcurrencyTag, typename StageClock>
+template <typename ConcurrencyTag>
 Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                 const std::vector<int>& index, const Feature_network& features,
                                 const Seamless_map& map, std::vector<T_mesh>& t_meshes, const Quad_request& request,
-                                const Quad_targets& targets, StageClock& clock)
+                                const Quad_targets& targets, Quad_stage_timer& clock)
 {
   Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
   Refined_quads quads =

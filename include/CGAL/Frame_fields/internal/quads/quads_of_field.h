@@ -23,6 +23,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -49,11 +50,11 @@ struct Made_quads
 // From a field to quads, by maps with the given target edge length per face. The map may repair the field. A field that
 // the caller gave has no statistics. `unit` is the length by which the caller's lengths were divided before the surface
 // was made. Fails only if wanted numbers of edges contradict one another.
-template <typename ConcurrencyTag, typename SolverTraits, typename StageClock>
+template <typename ConcurrencyTag, typename SolverTraits>
 Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
                            const Quad_request& request, const std::vector<double>& target_length,
                            const Options& options, const SolverTraits& solver_traits, Frame_field& field,
-                           const bool is_field_given, StageClock& clock, Made_quads& made)
+                           const bool is_field_given, Quad_stage_timer& clock, Made_quads& made)
 {
   clock.start(Quad_stage::SEAMLESS_MAP);
   Seamless_map map;
@@ -80,11 +81,11 @@ Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& 
 }
 
 // From a field to quads in the caller's mesh; `locate` is as for `output_quads()`.
-template <typename ConcurrencyTag, typename SolverTraits, typename StageClock, typename Locate, typename QuadMesh,
+template <typename ConcurrencyTag, typename SolverTraits, typename Locate, typename QuadMesh,
           typename NamedParameters>
 Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
                       const Quad_request& request, const Options& options, const SolverTraits& solver_traits,
-                      Frame_field& field, const bool is_field_given, const Locate& locate, StageClock& clock,
+                      Frame_field& field, const bool is_field_given, const Locate& locate, Quad_stage_timer& clock,
                       QuadMesh& quad_mesh, const NamedParameters& np)
 {
   const auto make = [&](const std::vector<double>& target_length, Frame_field& used_field, Made_quads& made)

@@ -1,0 +1,3 @@
+#include "quick_examples.h"
+
+QUICK_EXAMPLES_FILES()
