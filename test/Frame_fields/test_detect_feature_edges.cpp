@@ -11,6 +11,9 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
+#include <set>
+#include <vector>
 
 namespace {
 
@@ -226,6 +229,54 @@ TEST(Chain, that_has_become_longer_as_its_neighbor_went_is_measured_anew)
   Drawn_features fork(points, { { 0, 1 }, { 1, 2 }, { 1, 3 } });
   FF::internal::remove_short_chains(fork.graph, 3);
   EXPECT_EQ((std::vector<int>{ 0, 2 }), fork.features());
+}
+
+// Removes the shortest chain again and again.
+std::vector<char> without_short_chains(FF::internal::Feature_graph graph, const double minimum_length)
+{
+  for(auto chains = FF::internal::removable_chains(graph, minimum_length); !chains.empty();
+      chains = FF::internal::removable_chains(graph, minimum_length))
+    for(const int e : chains.begin()->edges)
+      graph.is_feature[e] = false;
+  return graph.is_feature;
+}
+
+TEST(Chain, removals_at_stars_are_those_one_by_one)
+{
+  std::mt19937 generator(7);
+  std::set<std::size_t> numbers_of_features_left;
+  for(int star = 0; star < 300; ++star)
+  {
+    const int number_of_rays = 2 + static_cast<int>(generator() % 6);
+    std::vector<Point> points = { { 0, 0, 0 } };
+    Drawn_features::Pairs rays;
+    for(int ray = 1; ray <= number_of_rays; ++ray)
+    {
+      const double angle = ray, length = 0.1 + 1e-3 * static_cast<double>(generator() % 1000);
+      points.emplace_back(length * std::cos(angle), length * std::sin(angle), 0);
+      rays.push_back({ 0, ray });
+    }
+    Drawn_features drawn(points, rays);
+    const std::vector<char> expected = without_short_chains(drawn.graph, 1);
+    FF::internal::remove_short_chains(drawn.graph, 1);
+    EXPECT_EQ(expected, drawn.graph.is_feature);
+    numbers_of_features_left.insert(drawn.features().size());
+  }
+  EXPECT_LT(2u, numbers_of_features_left.size());
+}
+
+TEST(Chain, removals_at_a_vertex_with_many_take_little_time)
+{
+  std::vector<Point> points = { { 0, 0, 0 } };
+  Drawn_features::Pairs rays;
+  for(int ray = 1; ray <= 30000; ++ray) // one round each would take minutes
+  {
+    points.emplace_back(std::cos(ray), std::sin(ray), 1e-6 * ray);
+    rays.push_back({ 0, ray });
+  }
+  Drawn_features star(points, rays);
+  FF::internal::remove_short_chains(star.graph, 3);
+  EXPECT_TRUE(star.features().empty());
 }
 
 TYPED_TEST(Feature_detection, does_not_depend_on_the_unit_of_length)

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -200,21 +201,28 @@ inline std::set<Feature_chain> removable_chains(const Feature_graph& graph, cons
 }
 
 // Removes the chains that `removable_chains()` finds, the shortest first, until none is left. Removals can merge the
-// chains that remain, which are then measured anew. In each round, which takes O(n log n) time, one chain is removed at
-// a vertex, so that the number of rounds can be that of the short chains at one vertex.
+// chains that remain, which are then measured anew: so each round, which takes O(n log n) time, ends at a vertex when
+// no more than two features are left there. Until then the other chains at the vertex stay as they are.
 inline void remove_short_chains(Feature_graph& graph, const double minimum_length)
 {
   for(std::set<Feature_chain> chains = removable_chains(graph, minimum_length); !chains.empty();
       chains = removable_chains(graph, minimum_length))
   {
-    std::set<int> changed_vertices;
+    const Edges_around_vertices features = features_around_vertices(graph);
+    std::map<int, int> number_left; // of features, at the ends of removed chains
+    const auto may_be_merged = [&](const int vertex)
+    {
+      const auto changed = number_left.find(vertex);
+      return changed != number_left.end() && changed->second <= 2;
+    };
     for(const Feature_chain& chain : chains)
     {
-      if(changed_vertices.count(chain.first_vertex) || changed_vertices.count(chain.last_vertex))
+      if(may_be_merged(chain.first_vertex) || may_be_merged(chain.last_vertex))
         continue;
       for(const int e : chain.edges)
         graph.is_feature[e] = false;
-      changed_vertices.insert({ chain.first_vertex, chain.last_vertex });
+      for(const int vertex : { chain.first_vertex, chain.last_vertex })
+        --number_left.insert({ vertex, features.number(vertex) }).first->second;
     }
   }
 }

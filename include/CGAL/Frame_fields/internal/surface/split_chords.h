@@ -14,7 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -26,24 +26,30 @@ namespace Frame_fields {
 namespace internal {
 
 // Splits the chords at their midpoints: the unconstrained edges with both ends on constrained edges. Returns the number
-// of edges that were split. All faces must be triangles. Every edge looks at the edges around its ends.
+// of edges that were split. All faces must be triangles.
 template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
-  const auto is_on_constrained_edge = [&](const halfedge_descriptor h) // the target of h
+  // Marks cost linear time, also where thousands of edges meet; to look around the ends of each edge does not.
+  const auto is_on_constrained_edge = get(CGAL::dynamic_vertex_property_t<int>(), tm);
+  for(const auto v : vertices(tm))
+    put(is_on_constrained_edge, v, 0);
+  for(const auto e : edges(tm))
   {
-    for(const halfedge_descriptor around : CGAL::halfedges_around_target(h, tm))
-      if(mesh.is_constrained(around))
-        return true;
-    return false;
-  };
+    const halfedge_descriptor h = halfedge(e, tm);
+    if(!mesh.is_constrained(h))
+      continue;
+    put(is_on_constrained_edge, source(h, tm), 1);
+    put(is_on_constrained_edge, target(h, tm), 1);
+  }
   std::vector<halfedge_descriptor> chords;
   for(const auto e : edges(tm))
   {
     const halfedge_descriptor h = halfedge(e, tm);
-    if(!mesh.is_constrained(h) && is_on_constrained_edge(h) && is_on_constrained_edge(opposite(h, tm)))
+    if(get(is_on_constrained_edge, source(h, tm)) && get(is_on_constrained_edge, target(h, tm))
+       && !mesh.is_constrained(h))
       chords.push_back(h);
   }
 
