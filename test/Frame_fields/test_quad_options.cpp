@@ -2,6 +2,7 @@
 
 #include "random_models.h"
 #include "test_cad_mesh.h"
+#include "test_solver_traits.h"
 
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
@@ -588,6 +589,43 @@ TEST(Nodes, are_vertices)
   for(const auto v : vertices(quads.mesh))
     nodes.erase(quads.mesh.point(v));
   EXPECT_TRUE(nodes.empty());
+}
+
+TEST(Quad_options, errors_on_the_refined_copy_name_vertices_and_faces_of_the_given_mesh)
+{
+  const Model model = transformed(cube(), [](const Point& p) { return Point(70 * p.x(), 70 * p.y(), 70 * p.z()); });
+  const Cad_mesh<Surface_mesh> cad_mesh(model, true);
+  Surface_mesh quad_mesh;
+  const FF::Result result = FF::cad_quad_mesh(
+    cad_mesh.mesh, quad_mesh, cad_mesh.features().target_edge_length(7)
+                                .sparse_linear_solver(Failing_solver_traits{ FAILS_TO_FACTOR }));
+  ASSERT_EQ(FF::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, result.error_code);
+  EXPECT_TRUE(is_empty(quad_mesh));
+  int number = 0, number_of_names = 0;
+  for(const auto f : faces(cad_mesh.mesh))
+  {
+    for(const auto v : vertices_around_face(halfedge(f, cad_mesh.mesh), cad_mesh.mesh))
+    {
+      const Point& p = cad_mesh.mesh.point(v);
+      const std::string name = "the vertex at " + FF::internal::to_text({ p.x(), p.y(), p.z() }) + " in face "
+                               + std::to_string(number) + " of faces(tm)";
+      number_of_names += result.message.find(name) != std::string::npos;
+    }
+    ++number;
+  }
+  EXPECT_EQ(1, number_of_names) << result.message;
+}
+
+TEST(Quad_options, number_of_quads_takes_precedence_over_the_edge_length)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(cube(), true);
+  Surface_mesh expected, quad_mesh;
+  const auto number = cad_mesh.features().number_of_quads(300);
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, expected, number));
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, quad_mesh, number.target_edge_length(0.02)));
+  EXPECT_EQ(num_faces(expected), num_faces(quad_mesh));
+  const auto points = expected.points(), other_points = quad_mesh.points();
+  EXPECT_TRUE(std::equal(points.begin(), points.end(), other_points.begin(), other_points.end()));
 }
 
 } // namespace

@@ -273,7 +273,8 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   const internal::Patch_result field_result =
     internal::compute_frame_field<Concurrency_tag>(surface, options, solver_traits, clock, field);
   if(field_result.error_code != OK)
-    return internal::to_result(cut_mesh, field_result);
+    return internal::to_result(given_mesh, internal::result_in_given_mesh(given_mesh, given_embedding, cut_mesh,
+                                                                          field_result));
 
   const bool is_field_given = false;
   const auto locate = [&](const internal::Surface_location& location)

@@ -141,7 +141,7 @@ private:
         m_links.push_back({ i, j, std::conj(m_system.transport(e)) });
       }
     }
-    std::sort(m_links.begin(), m_links.end());
+    std::stable_sort(m_links.begin(), m_links.end()); // the order tells in which order values are summed up
   }
 
   // Replaces the values of the faces that are linked with the given one.

@@ -58,14 +58,15 @@ Result check_quad_size(const NamedParameters&, const Quad_size& size)
   return {};
 }
 
-// The target edge length in the unit of `Cut_surface::length`, which must be there. It takes precedence over the number
-// of quads; the default is the mean length of the halfedges, in which edges that are not on the border count twice.
+// The target edge length in the unit of `Cut_surface::length`, which must be there. If the number of quads is given, it
+// follows from that; the default is the mean length of the halfedges, in which edges that are not on the border count
+// twice.
 inline double target_edge_length_of(const Quad_size& size, const Cut_surface& surface)
 {
-  if(size.target_edge_length > 0)
-    return size.target_edge_length / surface.length_unit;
   if(size.number_of_quads > 0)
     return std::sqrt(surface_area(surface) / size.number_of_quads);
+  if(size.target_edge_length > 0)
+    return size.target_edge_length / surface.length_unit;
   double sum = 0;
   for(const double length : surface.length)
     sum += length;

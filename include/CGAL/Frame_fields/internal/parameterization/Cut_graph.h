@@ -102,7 +102,8 @@ private:
       m_graph.is_cut[local(h)] = m_graph.is_cut[local(opposite)] = false;
       --degree(h);
       --degree(opposite);
-      for_each_corner(m_surface.opposite, m_surface.first_corner[m_surface.sector[opposite]], add_if_end);
+      if(degree(opposite) == 1)
+        for_each_corner(m_surface.opposite, m_surface.first_corner[m_surface.sector[opposite]], add_if_end);
     }
   }
 

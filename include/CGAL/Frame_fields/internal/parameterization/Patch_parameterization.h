@@ -161,8 +161,15 @@ private:
     const int end = (std::max)(0, steps_left - steps_of_attempt);
     bool is_untangled = false;
     while(!is_untangled && steps_left > end)
+    {
+      const std::vector<double> old_z = z, old_stiffness = stiffness;
+      const int old_steps_left = steps_left;
       if(!untangle_with(solver_traits, z, stiffness, is_untangled, steps_left))
         break;
+      const int steps = old_steps_left - steps_left;
+      while(steps_left > end && z == old_z && stiffness == old_stiffness) // the others would be the same
+        steps_left -= steps;
+    }
     return true;
   }
 

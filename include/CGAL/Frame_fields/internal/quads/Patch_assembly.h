@@ -34,17 +34,18 @@ namespace internal {
 class Patch_assembly
 {
 public:
-  // The unknown of piece p is `first_unknown` plus p. Where pieces have no edges, vertices are joined in `classes`.
-  Patch_assembly(const Quad_layout& layout, const Placed_arcs& placed_arcs, const int patch, const int first_unknown,
-                 Quad_complex& complex, Vertex_classes& classes)
+  // `arcs` are those along the patch. The unknown of piece p is `first_unknown` plus p. Where pieces have no edges,
+  // vertices are joined in `classes`.
+  Patch_assembly(const Quad_layout& layout, const Placed_arcs& placed_arcs, const int patch,
+                 const std::vector<int>& arcs, const int first_unknown, Quad_complex& complex, Vertex_classes& classes)
     : m_layout(layout), m_t_mesh(layout.t_meshes[patch]), m_edges(layout.edges_of_piece[patch]), m_patch(patch)
     , m_first_unknown(first_unknown), m_complex(complex), m_classes(classes)
     , m_vertex_of_node(m_t_mesh.nodes.size(), -1), m_vertices_of_piece(m_t_mesh.pieces.size())
   {
-    for(std::size_t a = 0; a < layout.network.arcs.size(); ++a)
+    for(const int a : arcs)
       for(int s = 0; s < 2; ++s)
         if(layout.sides[a][s].patch == patch)
-          give_vertices(layout.sides[a][s], placed_arcs, static_cast<int>(a), s);
+          give_vertices(layout.sides[a][s], placed_arcs, a, s);
     for(std::size_t n = 0; n < m_t_mesh.nodes.size(); ++n)
       if(m_vertex_of_node[n] < 0)
         m_vertex_of_node[n] = add_vertex(location_of_node(m_t_mesh.nodes[n]));

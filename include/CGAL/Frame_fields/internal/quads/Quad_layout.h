@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +52,17 @@ inline bool is_beside_split_patch(const Arc_sides& sides, const std::vector<Patc
 {
   return std::any_of(sides[arc].begin(), sides[arc].end(), [&](const Arc_side& side)
                      { return side.patch >= 0 && sources[side.patch] == Patch_source::SPLIT_TRIANGLES; });
+}
+
+// Per patch: the arcs along it, in increasing order.
+inline std::vector<std::vector<int> > arcs_of_patches(const Arc_sides& sides, const std::size_t number_of_patches)
+{
+  std::vector<std::vector<int> > result(number_of_patches);
+  for(std::size_t a = 0; a < sides.size(); ++a)
+    for(const Arc_side& side : sides[a])
+      if(side.patch >= 0 && (result[side.patch].empty() || result[side.patch].back() != static_cast<int>(a)))
+        result[side.patch].push_back(static_cast<int>(a));
+  return result;
 }
 
 } // namespace internal

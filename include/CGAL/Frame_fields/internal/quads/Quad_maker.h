@@ -160,6 +160,7 @@ private:
     m_origin.clear();
     m_singular_sector.clear();
     const Placed_arcs placed_arcs = make_arc_vertices(layout, complex);
+    const std::vector<std::vector<int> > arcs = arcs_of_patches(m_layout.sides(), m_t_meshes.size());
     for(std::size_t p = 0; p < m_t_meshes.size(); ++p)
     {
       const int patch = static_cast<int>(p);
@@ -173,7 +174,8 @@ private:
         m_origin.resize(complex.quads.size(), { patch, -1 });
         continue;
       }
-      Patch_assembly assembly(layout, placed_arcs, patch, m_layout.unknown_of_piece(patch, 0), complex, m_classes);
+      Patch_assembly assembly(layout, placed_arcs, patch, arcs[p], m_layout.unknown_of_piece(patch, 0), complex,
+                              m_classes);
       for(std::size_t cell = 0; cell < m_t_meshes[p].cells.size(); ++cell)
       {
         assembly.fill_cell(m_t_meshes[p].cells[cell]);

@@ -12,14 +12,17 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_CARRY_TO_COPY_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_CARRY_TO_COPY_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
 #include <CGAL/Frame_fields/internal/surface/working_copy.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -81,6 +84,20 @@ Surface_location location_in_given_mesh(const Surface_embedding& given_embedding
   }
   return copy.origin().location(given_embedding, cut_copy.face_descriptors()[location.face].value, vertices,
                                 location.barycentric, point);
+}
+
+// The result of a stage on the copy with a sector of the given mesh, near the one of the copy, for its message.
+template <typename CutMesh, typename CutCopy>
+Patch_result result_in_given_mesh(const CutMesh& given_mesh, const Surface_embedding& given_embedding,
+                                  const CutCopy& cut_copy, Patch_result result)
+{
+  if(result.error_code == OK)
+    return result;
+  const int corner = cut_copy.surface().first_corner[result.sector];
+  const Surface_location given = location_in_given_mesh(given_embedding, cut_copy, location_on_halfedge(corner, 1));
+  const auto nearest = std::max_element(given.barycentric.begin(), given.barycentric.end());
+  result.sector = given_mesh.surface().sector[3 * given.face + (nearest - given.barycentric.begin())];
+  return result;
 }
 
 } // namespace internal

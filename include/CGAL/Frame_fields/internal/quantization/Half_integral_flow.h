@@ -85,8 +85,8 @@ public:
   // `solve_again()` after the last change.
   void set_bounds(const int edge, const int lower, const int upper)
   {
-    m_lower[edge] = lower;
-    m_upper[edge] = upper;
+    m_lower[edge] = (std::max)(lower, -largest_value);
+    m_upper[edge] = (std::min)(upper, largest_value);
     make_optimal(2 * edge);
     make_optimal(2 * edge + 1);
   }
