@@ -12,6 +12,7 @@
 // Integers on bidirected networks against enumeration, and networks whose best integers are known.
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+#include <CGAL/Frame_fields/internal/quantization/Node_multipliers.h>
 #include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/quantization/unattainable_edges.h>
@@ -30,6 +31,7 @@ namespace {
 
 using CGAL::Frame_fields::internal::Bidirected_edge;
 using CGAL::Frame_fields::internal::Bidirected_network;
+using CGAL::Frame_fields::internal::Node_multipliers;
 using CGAL::Frame_fields::internal::Quantization;
 using CGAL::Frame_fields::internal::Quantization_options;
 using CGAL::Frame_fields::internal::Quantizer;
@@ -488,6 +490,20 @@ TEST(Quantizer, raised_bounds_in_chains)
     for(std::size_t e = round; e < network.edges.size(); e += 40)
       if(network.edges[e].lower_bound > 0)
         network.edges[e].lower_bound = result.value[e] + 1;
+  }
+}
+
+TEST(Multipliers, of_one_node_make_its_sum_zero_in_one_sweep)
+{
+  for(const int sign : { 1, -1 })
+  {
+    Bidirected_network network;
+    network.number_of_nodes = 1;
+    network.edges = { { { { 0, 0 } }, { { 1, sign } }, 3, 1, -100, 100 },
+                      { { { 0, -1 } }, { { 1, 1 } }, 4, 0.5, -100, 100 } };
+    const double multiplier = Node_multipliers(network).run(1)[0];
+    const double at_both_ends = 3 - (1 + sign) * multiplier / 2, at_one_end = 4 - multiplier;
+    EXPECT_NEAR(0, (1 + sign) * at_both_ends + at_one_end, 1e-12) << sign;
   }
 }
 

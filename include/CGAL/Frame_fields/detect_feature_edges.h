@@ -100,7 +100,8 @@ neighbor that it lies along stands for it, and its own where no neighbor is bett
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NON_FINITE_COORDINATE` or `ERROR_WRONG_PARAMETER`
+\return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`,
+        `ERROR_NON_FINITE_COORDINATE` or `ERROR_WRONG_PARAMETER`
 
 \cgalBigO{n} for \f$ n \f$ edges, \cgalBigO{m \log m} for \f$ m \f$ faces without normal, and \cgalBigO{n \log n}
 for each round in which chains are removed; a second round is needed where chains have become one.

@@ -24,6 +24,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <climits>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -52,12 +53,15 @@ public:
 
   // Reads vertices, edges and faces into empty arrays; the border edges become features. Returns an error that names
   // the first face that is not a triangle or the first vertex of a face that is not finite; isolated vertices may have
-  // any coordinates. Must be called only once. Takes linear time.
+  // any coordinates. `int` must be able to count the ends of the edges. Must be called only once. Takes linear time.
   Result read(Feature_graph& graph, Feature_faces& feature_faces)
   {
-    read_vertices(graph);
+    if(const Result result = read_vertices(graph); !result)
+      return result;
     for(const edge_descriptor e : edges(m_mesh))
     {
+      if(m_edges.size() >= maximum_number_of_elements)
+        return failure(ERROR_MESH_TOO_LARGE, "more than " + std::to_string(m_edges.size()) + " edges");
       const halfedge_descriptor h = halfedge(e, m_mesh);
       put(m_edge_number, e, graph.number_of_edges());
       m_edges.push_back(e);
@@ -105,16 +109,21 @@ private:
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type Edge_number_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type Face_number_map;
 
+  static constexpr std::size_t maximum_number_of_elements = INT_MAX / 2;
+
   int number_of(const vertex_descriptor v) const { return get(m_vertex_number, v); }
   int number_of(const edge_descriptor e) const { return get(m_edge_number, e); }
 
-  void read_vertices(Feature_graph& graph)
+  Result read_vertices(Feature_graph& graph)
   {
     for(const vertex_descriptor v : vertices(m_mesh))
     {
+      if(graph.points.size() >= maximum_number_of_elements)
+        return failure(ERROR_MESH_TOO_LARGE, "more than " + std::to_string(graph.points.size()) + " vertices");
       put(m_vertex_number, v, graph.number_of_vertices());
       graph.points.push_back(this->coordinates(v));
     }
+    return {};
   }
 
   Result read_faces(const Feature_graph& graph, Feature_faces& feature_faces) const

@@ -275,7 +275,8 @@ private:
     m_layout.require(unknown, m_layout.value(unknown) + 1);
   }
 
-  // No vertex of a torus without irregular vertices is critical, so all its pieces may have come out empty.
+  // No vertex of a torus without irregular vertices is critical, so all its pieces may have come out empty. If none of
+  // them can get an edge, gives up the patch. Returns whether there are such patches.
   bool raise_patches_without_quads()
   {
     std::vector<char> has_quad(m_t_meshes.size(), 0);
@@ -285,9 +286,13 @@ private:
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       if(m_layout.sources()[patch] == Patch_source::T_MESH && !has_quad[patch])
       {
+        is_any_without = true;
+        bool is_any_raised = false;
         const int number_of_pieces = static_cast<int>(m_t_meshes[patch].pieces.size());
         for(int piece = 0; piece < number_of_pieces; ++piece)
-          is_any_without |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), piece), 1);
+          is_any_raised |= m_layout.raise(m_layout.unknown_of_piece(static_cast<int>(patch), piece), 1);
+        if(!is_any_raised)
+          m_patches_to_give_up.push_back(static_cast<int>(patch));
       }
     return is_any_without;
   }

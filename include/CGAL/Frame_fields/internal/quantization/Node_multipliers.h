@@ -58,6 +58,13 @@ public:
   }
 
 private:
+  // By how much a unit of the multiplier of a node changes the slope at one of its edges, times the sign of an end of
+  // the edge there. Both ends may be at the node.
+  static int change_of_slope(const Bidirected_edge& edge, const int end)
+  {
+    return edge.node[0] == edge.node[1] ? edge.sign[end] * (edge.sign[0] + edge.sign[1]) : 1;
+  }
+
   // The slope that the multipliers at both ends add to the cost of an edge.
   double slope(const Bidirected_edge& edge) const
   {
@@ -76,10 +83,12 @@ private:
       const Bidirected_edge& edge = m_network.edges[m_incident[place] / 2];
       const double value = edge.target - slope(edge) / (2 * edge.weight);
       const double clamped_value = (std::max)(double(edge.lower_bound), (std::min)(double(edge.upper_bound), value));
-      sum += edge.sign[m_incident[place] % 2] * clamped_value;
-      change += 1 / (2 * edge.weight);
+      const int end = m_incident[place] % 2;
+      sum += edge.sign[end] * clamped_value;
+      const double change_of_sum = change_of_slope(edge, end) / (2 * edge.weight);
+      change += change_of_sum;
       if(value == clamped_value)
-        free_change += 1 / (2 * edge.weight);
+        free_change += change_of_sum;
     }
     if(change > 0)
       m_multiplier[node] += sum / (free_change > 0 ? free_change : change);
