@@ -6,6 +6,7 @@
 
 #include <CGAL/Frame_fields.h>
 
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -105,6 +106,32 @@ TEST(Degenerate_faces, that_are_collinear_leave_all_facts)
 {
   for(const Model& model : well_meshed_models())
     expect_all_facts(with_bad_triangles(model, split_off_cap, 0));
+}
+
+// A vertex of such a face is at the midpoint of the opposite edge.
+TEST(Degenerate_faces, that_are_collinear_get_no_edges_of_length_zero_by_splits)
+{
+  const auto expect_lengths = [](const Cad_mesh<Surface_mesh>& cad_mesh)
+  {
+    for(const auto e : edges(cad_mesh.mesh))
+      EXPECT_NE(cad_mesh.point(source(e, cad_mesh.mesh)), cad_mesh.point(target(e, cad_mesh.mesh)));
+  };
+  for(const Model& model : well_meshed_models())
+  {
+    const Model with_caps = with_bad_triangles(model, split_off_cap, 0);
+    const bool splits_overconstrained_faces = false;
+    Cad_mesh<Surface_mesh> refined(with_caps, splits_overconstrained_faces);
+    ASSERT_TRUE(FF::refine_triangles(refined.mesh, 0.1, refined.features()));
+    expect_lengths(refined);
+
+    Cad_mesh<Surface_mesh> split(with_caps, splits_overconstrained_faces);
+    for(const auto e : edges(split.mesh))
+      put(split.is_feature, e, e.idx() % 5 == 0);
+    const std::size_t number_of_faces = num_faces(split.mesh);
+    ASSERT_TRUE(FF::split_chords(split.mesh, split.features()));
+    EXPECT_GT(num_faces(split.mesh), number_of_faces);
+    expect_lengths(split);
+  }
 }
 
 // Edges keep a length, since no two points of the grid fall onto one another.

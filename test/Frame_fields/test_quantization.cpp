@@ -14,8 +14,10 @@
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Node_multipliers.h>
 #include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
+#include <CGAL/Frame_fields/internal/quantization/group_to_free.h>
 #include <CGAL/Frame_fields/internal/quantization/quantize.h>
 #include <CGAL/Frame_fields/internal/quantization/unattainable_edges.h>
+#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -31,10 +33,12 @@ namespace {
 
 using CGAL::Frame_fields::internal::Bidirected_edge;
 using CGAL::Frame_fields::internal::Bidirected_network;
+using CGAL::Frame_fields::internal::Index_range;
 using CGAL::Frame_fields::internal::Node_multipliers;
 using CGAL::Frame_fields::internal::Quantization;
 using CGAL::Frame_fields::internal::Quantization_options;
 using CGAL::Frame_fields::internal::Quantizer;
+using CGAL::Frame_fields::internal::group_to_free;
 using CGAL::Frame_fields::internal::quantize;
 using CGAL::Frame_fields::internal::unattainable_edges;
 
@@ -329,6 +333,31 @@ TEST(Quantization, edges_on_no_strip_are_named)
   EXPECT_EQ(result.value[0], 2); // the other components are solved all the same
   network.edges[last - 1].lower_bound = 0;
   EXPECT_TRUE(quantize(network).is_feasible);
+}
+
+// The nodes say a = b + c, a = b, d = e + f, d = e, and that g is free: c and f are 0 in every solution.
+TEST(Quantization, group_without_which_most_edges_are_attainable_is_found)
+{
+  Bidirected_network network;
+  network.number_of_nodes = 5;
+  for(const int node : { 0, 2 })
+  {
+    network.edges.push_back(edge(node, 1, node + 1, -1, 2));
+    network.edges.push_back(edge(node, -1, node + 1, 1, 2));
+    network.edges.push_back(edge(node, -1, -1, 1, 2));
+  }
+  network.edges.push_back(edge(4, 1, -1, 1, 2));
+  network.edges.push_back(edge(4, -1, -1, 1, 2));
+  ASSERT_EQ(unattainable_edges(network), std::vector<int>({ 2, 5 }));
+  const Index_range others{ 4, 5 }, first{ 0, 1 }, second{ 2, 3 }, both{ 1, 4 };
+  const int no_limit = 1000;
+  EXPECT_EQ(group_to_free(network, { others }, no_limit), -1);
+  EXPECT_EQ(group_to_free(network, { others, second, first }, no_limit), 1);
+  EXPECT_EQ(group_to_free(network, { first, others, both }, no_limit), 2);
+  EXPECT_EQ(group_to_free(network, { first, others, both }, 1), 0);
+  for(Bidirected_edge& e : network.edges)
+    e.lower_bound = 0;
+  EXPECT_EQ(group_to_free(network, { first, both }, no_limit), -1);
 }
 
 TEST(Quantization, bounds_that_exclude_one_another)

@@ -165,6 +165,10 @@ TEST(T_mesh_network, sides_of_an_arc_share_its_number)
   const std::vector<int> value = model.solve(network);
   EXPECT_EQ(network.network.edges.size(), 7u + 7 + 13);
   EXPECT_EQ(network.network.number_of_nodes, 8 + 2 * 6); // sides of arcs, cells
+  EXPECT_EQ(network.cell_nodes[0].begin_index, 8);
+  EXPECT_EQ(network.cell_nodes[0].end_index, 8 + 2 * 2);
+  EXPECT_EQ(network.cell_nodes[1].begin_index, 8 + 2 * 2);
+  EXPECT_EQ(network.cell_nodes[1].end_index, 8 + 2 * 6);
   const std::vector<int> arcs(value.begin(), value.begin() + 7);
   EXPECT_EQ(arcs, std::vector<int>({ 8, 4, 8, 4, 6, 4, 6 }));
   EXPECT_EQ(value[network.edge_of_piece(0, 2)], 2); // .9 / h and 1.1 / h

@@ -20,12 +20,14 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
 #include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
+#include <CGAL/Frame_fields/internal/quantization/group_to_free.h>
 #include <CGAL/Frame_fields/internal/quantization/t_mesh_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -157,7 +159,8 @@ public:
         return;
       std::vector<int> blocked = quantization.unattainable;
       blocked.insert(blocked.end(), quantization.conflicting.begin(), quantization.conflicting.end());
-      if(!ignore_bends(blocked) && !release_blocked_arc(blocked) && !lower_raised_bounds(blocked))
+      if(!ignore_bends(blocked) && !release_blocked_arc(blocked) && !lower_raised_bounds(blocked)
+         && (quantization.unattainable.empty() || !give_up_patch_that_blocks()))
         give_up_blocked_patch(blocked);
     }
   }
@@ -384,6 +387,27 @@ private:
         is_any_lowered = true;
       }
     return is_any_lowered;
+  }
+
+  // Gives up the T-mesh without which the fewest unknowns are 0 in every solution, of the smallest patch of several.
+  // It need not be beside any of them: a strip around the whole model may be cut anywhere. Returns whether there is one
+  // that makes them fewer.
+  bool give_up_patch_that_blocks()
+  {
+    const std::int64_t maximum_number_of_steps = 20000000;
+    std::vector<int> patches;
+    for(std::size_t patch = 0; patch < m_sources.size(); ++patch)
+      if(m_sources[patch] == Patch_source::T_MESH)
+        patches.push_back(static_cast<int>(patch));
+    std::stable_sort(patches.begin(), patches.end(), [&](const int p, const int q)
+                     { return m_surface.patches[p].faces.size() < m_surface.patches[q].faces.size(); });
+    std::vector<Index_range> groups;
+    for(const int patch : patches)
+      groups.push_back(m_layout.cell_nodes[patch]);
+    const int group = group_to_free(m_layout.network, groups, maximum_number_of_steps);
+    if(group >= 0)
+      give_up(patches[group]);
+    return group >= 0;
   }
 
   // Of the patches that have, or whose arcs have, unknowns without a solution, gives up the smallest with a T-mesh, or

@@ -34,7 +34,8 @@ namespace internal {
 struct T_mesh_network
 {
   Bidirected_network network;
-  std::vector<int> first_piece; // per patch: the edge of its piece 0
+  std::vector<int> first_piece;        // per patch: the edge of its piece 0
+  std::vector<Index_range> cell_nodes; // per patch: the nodes of its cells
 
   int edge_of_arc(const int arc) const { return arc; }
   int edge_of_piece(const int patch, const int piece) const { return first_piece[patch] + piece; }
@@ -165,6 +166,7 @@ private:
         attach(m_result.edge_of_piece(patch, static_cast<int>(i)), number_of_ends[i]++, side.node, 1);
       }
     }
+    const int first_node = m_result.network.number_of_nodes;
     for(const T_mesh_cell& cell : t_mesh.cells)
     {
       const std::array<int, 2> node = { add_node(), add_node() };
@@ -173,6 +175,7 @@ private:
           attach(m_result.edge_of_piece(patch, directed.piece), number_of_ends[directed.piece]++, node[side % 2],
                  side < 2 ? 1 : -1);
     }
+    m_result.cell_nodes.push_back({ first_node, m_result.network.number_of_nodes });
   }
 
   // Makes the number of an arc even, as twice an integer: an edge with both ends at the node of the side.

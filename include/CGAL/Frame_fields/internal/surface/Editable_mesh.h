@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_SURFACE_EDITABLE_MESH_H
 
 #include <CGAL/Frame_fields/Error_code.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 #include <CGAL/Frame_fields/internal/surface/Mesh_reader.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -59,6 +60,7 @@ public:
   typedef typename Reader::Point_3 Point_3;
 
   using Reader::Reader;
+  using Reader::coordinates;
   using Reader::point;
 
   // Returns an error that names the first face that is not a triangle, or success.
@@ -97,30 +99,69 @@ public:
 
   void set_point(const vertex_descriptor v, const Point_3& point) const { put(m_points, v, point); }
 
-  // Splits an unconstrained edge at its midpoint, and each of its two triangles in two.
+  // Where an edge is split: its midpoint, if that is none of the four vertices of its triangles. In a triangle without
+  // area the opposite vertex may be there, and the edge to it would have length zero; then it is a point at a third.
+  // Returns `false` if rounding leaves no point.
+  bool find_splitting_point(const halfedge_descriptor h, Point_3& result, double& weight_of_source) const
+  {
+    const Point_3 p = point(source(h, m_mesh)), q = point(target(h, m_mesh));
+    result = m_traits.construct_midpoint_3_object()(p, q);
+    weight_of_source = 1. / 2;
+    if(is_away_from_triangles(h, result))
+      return true;
+    for(const int parts : { 1, 2 })
+    {
+      result = m_traits.construct_barycenter_3_object()(p, parts, q, 3 - parts);
+      weight_of_source = parts / 3.;
+      if(is_away_from_triangles(h, result))
+        return true;
+    }
+    return false;
+  }
+
+  // Splits an edge at a point. The new vertex is the target of the halfedge that is returned, and the source of `h`.
+  halfedge_descriptor split_edge_at(const halfedge_descriptor h, const Point_3& new_point,
+                                    const double weight_of_source) const
+  {
+    const halfedge_descriptor to_point = CGAL::Euler::split_edge(h, m_mesh);
+    set_point(target(to_point, m_mesh), new_point);
+    note_vertex(m_mesh, target(to_point, m_mesh),
+                std::array<vertex_descriptor, 3>{ source(to_point, m_mesh), target(h, m_mesh),
+                                                  Graph_traits::null_vertex() },
+                std::array<double, 3>{ weight_of_source, 1 - weight_of_source, 0 });
+    return to_point;
+  }
+
+  // Splits an unconstrained edge, and each of its two triangles in two.
   void split_edge_with_faces(const halfedge_descriptor h) const
   {
-    const Point_3 midpoint =
-      m_traits.construct_midpoint_3_object()(point(source(h, m_mesh)), point(target(h, m_mesh)));
-    const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, m_mesh);
-    set_point(target(to_midpoint, m_mesh), midpoint);
-    note_vertex(m_mesh, target(to_midpoint, m_mesh),
-                std::array<vertex_descriptor, 3>{ source(to_midpoint, m_mesh), target(h, m_mesh),
-                                                  Graph_traits::null_vertex() },
-                std::array<double, 3>{ 0.5, 0.5, 0 });
-    mark_unconstrained(to_midpoint);
+    Point_3 splitting_point;
+    double weight_of_source;
+    find_splitting_point(h, splitting_point, weight_of_source); // if there is none, a later check names the edge
+    const halfedge_descriptor to_point = split_edge_at(h, splitting_point, weight_of_source);
+    mark_unconstrained(to_point);
     mark_unconstrained(h);
-    split_face(to_midpoint);
+    split_face(to_point);
     split_face(opposite(h, m_mesh));
   }
 
 private:
-  // Splits a face with four vertices by an edge from the target of `to_midpoint` to the opposite vertex.
-  void split_face(const halfedge_descriptor to_midpoint) const
+  // Whether a point has other coordinates than the vertices of the triangles beside an edge.
+  bool is_away_from_triangles(const halfedge_descriptor h, const Point_3& other) const
   {
-    const auto whole = face(to_midpoint, m_mesh);
-    const halfedge_descriptor h =
-      CGAL::Euler::split_face(to_midpoint, next(next(to_midpoint, m_mesh), m_mesh), m_mesh);
+    const Coordinates here = coordinates_of(other, m_traits);
+    for(const halfedge_descriptor side : { h, opposite(h, m_mesh) })
+      if(coordinates(target(side, m_mesh)) == here
+         || (!CGAL::is_border(side, m_mesh) && coordinates(target(next(side, m_mesh), m_mesh)) == here))
+        return false;
+    return true;
+  }
+
+  // Splits a face with four vertices by an edge from the target of `to_point` to the opposite vertex.
+  void split_face(const halfedge_descriptor to_point) const
+  {
+    const auto whole = face(to_point, m_mesh);
+    const halfedge_descriptor h = CGAL::Euler::split_face(to_point, next(next(to_point, m_mesh), m_mesh), m_mesh);
     mark_unconstrained(h);
     note_face(m_mesh, face(h, m_mesh), whole);
     note_face(m_mesh, face(opposite(h, m_mesh), m_mesh), whole);

@@ -19,7 +19,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <deque>
 #include <queue>
@@ -40,7 +39,6 @@ class Longest_edge_splits
 public:
   typedef Editable_mesh<TriangleMesh, NamedParameters> Mesh;
   typedef typename Mesh::Graph_traits Graph_traits;
-  typedef typename Mesh::vertex_descriptor vertex_descriptor;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
 
   // Splits edges longer than `maximum_edge_length`, as `length_factor()` counts lengths. Nothing is split once there
@@ -102,24 +100,17 @@ private:
          * distance(m_editable.coordinates(source(h, m_mesh)), m_editable.coordinates(target(h, m_mesh)));
   }
 
-  // Returns false and changes nothing if the midpoint is rounded to one of the ends.
+  // Returns false and changes nothing if rounding leaves no point to split at.
   bool split(const halfedge_descriptor h, std::deque<halfedge_descriptor>& changed)
   {
-    const auto midpoint = m_editable.traits().construct_midpoint_3_object()(
-      m_editable.point(source(h, m_mesh)), m_editable.point(target(h, m_mesh)));
-    const Coordinates coordinates = coordinates_of(midpoint, m_editable.traits());
-    if(coordinates == m_editable.coordinates(source(h, m_mesh))
-       || coordinates == m_editable.coordinates(target(h, m_mesh)))
+    typename Mesh::Point_3 point;
+    double weight_of_source;
+    if(!m_editable.find_splitting_point(h, point, weight_of_source))
       return false;
-    const halfedge_descriptor to_midpoint = CGAL::Euler::split_edge(h, m_mesh);
-    m_editable.set_point(target(to_midpoint, m_mesh), midpoint);
-    m_editable.copy_constraint(h, to_midpoint);
-    note_vertex(m_mesh, target(to_midpoint, m_mesh),
-                std::array<vertex_descriptor, 3>{ source(to_midpoint, m_mesh), target(h, m_mesh),
-                                                  Graph_traits::null_vertex() },
-                std::array<double, 3>{ 0.5, 0.5, 0 });
-    note_edge(m_mesh, edge(to_midpoint, m_mesh), edge(h, m_mesh));
-    for(const halfedge_descriptor half : { to_midpoint, opposite(h, m_mesh) })
+    const halfedge_descriptor to_point = m_editable.split_edge_at(h, point, weight_of_source);
+    m_editable.copy_constraint(h, to_point);
+    note_edge(m_mesh, edge(to_point, m_mesh), edge(h, m_mesh));
+    for(const halfedge_descriptor half : { to_point, opposite(h, m_mesh) })
       if(!is_border(half, m_mesh))
       {
         const auto whole = face(half, m_mesh);
@@ -133,9 +124,9 @@ private:
             changed.push_back(around);
       }
     // All faces are triangles again.
-    for(const halfedge_descriptor part : { to_midpoint, h })
+    for(const halfedge_descriptor part : { to_point, h })
       add(part);
-    for(const halfedge_descriptor across : { next(to_midpoint, m_mesh), next(opposite(h, m_mesh), m_mesh) })
+    for(const halfedge_descriptor across : { next(to_point, m_mesh), next(opposite(h, m_mesh), m_mesh) })
       if(!is_border(across, m_mesh))
         add(across);
     return true;
