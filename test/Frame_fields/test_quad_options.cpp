@@ -5,6 +5,7 @@
 
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/compute_quad_sizes.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/quad_mesh.h>
 
@@ -422,6 +423,185 @@ TEST(Sizes, must_be_positive)
     EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, quads.result.error_code);
     EXPECT_NE(std::string::npos, quads.result.message.find("sizing_map")) << quads.result.message;
   }
+}
+
+template <typename NamedParameters>
+std::vector<double> sizes_of(const Cad_mesh<Surface_mesh>& cad_mesh, const NamedParameters& np)
+{
+  const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+  const FF::Result result =
+    FF::compute_quad_sizes(cad_mesh.mesh, map, parameters::join(cad_mesh.features(), np));
+  EXPECT_TRUE(result) << result.message;
+  std::vector<double> sizes;
+  for(const auto v : vertices(cad_mesh.mesh))
+    sizes.push_back(get(map, v));
+  return sizes;
+}
+
+const double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = 180 * degree;
+
+// Two vertices on the circle at the ends of this chord have the height between chord and circle.
+double chord_of(const double radius, const double height)
+{
+  return 2 * radius * std::sin(std::acos(1 - height / radius));
+}
+
+// Of radius 2 around the z-axis, needles from end to end; an angle of 2 pi closes it.
+Model raw_cylinder(const int n, const double height, const double angle)
+{
+  return grid(n, 1, angle == 2 * pi, false, [=](const double u, const double v)
+              { return Point(2 * std::cos(angle * u), 2 * std::sin(angle * u), height * v); });
+}
+
+TEST(Computed_sizes, are_chords_of_cylinders)
+{
+  for(const double height : { 0.1, 30. })
+    for(const Model& model : { raw_cylinder(24, height, 2 * pi), raw_cylinder(2, height, pi / 4),
+                               raw_cylinder(5, height, pi / 2) })
+      for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false),
+                                         parameters::target_edge_length(100).chord_height(0.01).gradation(infinity)))
+        EXPECT_NEAR(chord_of(2, 0.01), length, 1e-9);
+}
+
+TEST(Computed_sizes, are_chords_of_spheres_and_tori)
+{
+  const auto np = parameters::target_edge_length(100).chord_height(0.01).gradation(infinity);
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(sphere(), false), np))
+    EXPECT_NEAR(chord_of(1, 0.01), length, 1e-9);
+  // Of 3 and 1 radius; the curvature across the tube is the greater one everywhere.
+  const Model model = grid(60, 20, true, true, [](const double u, const double v)
+  {
+    const double r = 3 + std::cos(2 * pi * v);
+    return Point(r * std::cos(2 * pi * u), r * std::sin(2 * pi * u), std::sin(2 * pi * v));
+  });
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false), np))
+    EXPECT_NEAR(chord_of(1, 0.01), length, 0.002);
+}
+
+// All faces are flat, and all edges between them are features, which may be rounded.
+TEST(Computed_sizes, are_not_bounded_by_creases)
+{
+  Model model = transformed(cube(), [](const Point& p) { return Point(p.x() / 3, p.y() / 7, p.z() + p.x() / 9); });
+  for(Point& p : model.points)
+    p = Point(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  for(auto& feature : model.features)
+    for(Point* const p : { &feature.first, &feature.second })
+      *p = Point(static_cast<float>(p->x()), static_cast<float>(p->y()), static_cast<float>(p->z()));
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false),
+                                     parameters::target_edge_length(100).chord_height(1e-3).gradation(infinity)))
+    EXPECT_EQ(100, length);
+}
+
+TEST(Computed_sizes, follow_the_bends_of_curves_in_a_plane)
+{
+  const Cad_mesh<Surface_mesh> disk(regular_polygon(40, 0.3), false);
+  const std::vector<double> sizes =
+    sizes_of(disk, parameters::target_edge_length(1).chord_height(1e-3).gradation(infinity));
+  int number_on_border = 0;
+  for(const auto v : vertices(disk.mesh))
+  {
+    const bool is_on_border(CGAL::is_border(v, disk.mesh));
+    number_on_border += is_on_border;
+    EXPECT_EQ(!is_on_border, sizes[v] == 1);
+    EXPECT_LE(sizes[v], is_on_border ? chord_of(1, 1e-3) * (1 + 1e-9) : 1);
+  }
+  EXPECT_GE(number_on_border, 40);
+}
+
+TEST(Computed_sizes, divide_gaps)
+{
+  // A strip of width 1, also a curved one, of raw triangles.
+  const auto np = parameters::target_edge_length(3).edges_across_gap(4).gradation(infinity);
+  const Model strip = grid(3, 1, false, false, [](const double u, const double v) { return Point(30 * u, v, 0); });
+  for(const Model& model : { strip, raw_cylinder(24, 1, 2 * pi), raw_cylinder(1, 1, pi / 2) })
+    for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false), np))
+      EXPECT_NEAR(0.25, length, 1e-9);
+  // Edges that meet at a corner do not count as a gap.
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(wedge(20), false),
+                                     parameters::target_edge_length(0.01).edges_across_gap(4)))
+    EXPECT_EQ(0.01, length);
+}
+
+// A hole of radius 1/2 is 1/10 from one side of a square.
+TEST(Computed_sizes, are_small_between_a_hole_and_the_border)
+{
+  Polyline hole;
+  for(int i = 0; i < 40; ++i)
+    hole.push_back({ 0.6 + 0.5 * std::cos(9 * degree * i), 2 + 0.5 * std::sin(9 * degree * i) });
+  const Cad_mesh<Surface_mesh> cad_mesh(planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.1, {}, { hole }), false);
+  const std::vector<double> sizes =
+    sizes_of(cad_mesh, parameters::target_edge_length(0.3).edges_across_gap(3).gradation(infinity));
+  int number_in_gap = 0;
+  for(const auto v : vertices(cad_mesh.mesh))
+  {
+    const Point& p = cad_mesh.mesh.point(v);
+    if(p.x() < 0.1 && std::abs(p.y() - 2) < 0.05)
+    {
+      ++number_in_gap;
+      EXPECT_NEAR(0.1 / 3, sizes[v], 0.003);
+    }
+    EXPECT_LE(p.x() > 2 ? 0.3 : 0.1 / 3 - 1e-3, sizes[v]);
+  }
+  EXPECT_GT(number_in_gap, 1);
+}
+
+TEST(Computed_sizes, grow_as_the_gradation_says)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  const auto np = parameters::target_edge_length(1).chord_height(1e-3).edges_across_gap(3).minimum_edge_length(0.02);
+  const std::vector<double> bounds = sizes_of(cad_mesh, np.gradation(infinity));
+  const std::vector<double> sizes = sizes_of(cad_mesh, np.gradation(1.2));
+  ASSERT_LT(*std::min_element(bounds.begin(), bounds.end()), 0.1);
+  EXPECT_GE(*std::min_element(bounds.begin(), bounds.end()), 0.02);
+
+  // The greatest lengths that grow so slowly, by relaxation until nothing changes.
+  std::vector<double> expected = bounds;
+  for(bool has_changed = true; has_changed;)
+  {
+    has_changed = false;
+    for(const auto h : halfedges(cad_mesh.mesh))
+    {
+      const auto v = source(h, cad_mesh.mesh), w = target(h, cad_mesh.mesh);
+      const double distance = std::sqrt(CGAL::squared_distance(cad_mesh.mesh.point(v), cad_mesh.mesh.point(w)));
+      const double bound = expected[v] + std::log(1.2) * distance;
+      if(expected[w] > bound + 1e-12)
+      {
+        expected[w] = bound;
+        has_changed = true;
+      }
+    }
+  }
+  bool is_any_smaller = false;
+  for(std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    EXPECT_NEAR(expected[v], sizes[v], 1e-9);
+    is_any_smaller |= sizes[v] < bounds[v] - 1e-3;
+  }
+  EXPECT_TRUE(is_any_smaller);
+}
+
+TEST(Computed_sizes, must_have_bounds_in_their_ranges)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
+  const auto expect_error = [&](const auto& np, const std::string& name)
+  {
+    const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+    const FF::Result result = FF::compute_quad_sizes(cad_mesh.mesh, map, np);
+    EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result.error_code);
+    EXPECT_NE(std::string::npos, result.message.find(name)) << result.message;
+  };
+  for(const double wrong : { 0., -1., std::nan("") })
+  {
+    expect_error(parameters::chord_height(wrong), "chord_height");
+    expect_error(parameters::gradation(wrong), "gradation");
+    expect_error(parameters::target_edge_length(wrong), "target_edge_length");
+    if(wrong != 0)
+      expect_error(parameters::minimum_edge_length(wrong), "minimum_edge_length");
+  }
+  expect_error(parameters::edges_across_gap(-1), "edges_across_gap");
+  expect_error(parameters::gradation(1.), "gradation");
+  expect_error(parameters::minimum_edge_length(infinity), "minimum_edge_length");
 }
 
 TEST(Numbers_of_edges, are_met)
