@@ -604,6 +604,109 @@ TEST(Computed_sizes, must_have_bounds_in_their_ranges)
   expect_error(parameters::minimum_edge_length(infinity), "minimum_edge_length");
 }
 
+// The quads of a model with bounds of sizes.
+template <typename NamedParameters>
+Quads bounded_quads(const Model& model, const NamedParameters& np)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+  Quads quads;
+  const auto is_on_feature = get(CGAL::dynamic_edge_property_t<bool>(), quads.mesh);
+  quads.result = FF::cad_quad_mesh(cad_mesh.mesh, quads.mesh,
+                                   parameters::join(cad_mesh.features(), np)
+                                     .output_edge_is_constrained_map(is_on_feature)
+                                     .statistics(std::ref(quads.statistics)));
+  EXPECT_TRUE(quads.result) << quads.result.message;
+  for(const auto e : edges(quads.mesh))
+    quads.is_on_feature.push_back(get(is_on_feature, e));
+  return quads;
+}
+
+TEST(Bounded_sizes, make_as_many_quads_as_chords_say)
+{
+  const double height = 4, chord = chord_of(2, 0.01);
+  const Quads quads = bounded_quads(raw_cylinder(24, height, 2 * pi), parameters::target_edge_length(3)
+                                                                         .chord_height(0.01));
+  EXPECT_NEAR(chord, quads.statistics.maximum_target_edge_length, 1e-6);
+  EXPECT_NEAR(std::round(4 * pi / chord) * std::round(height / chord), quads.statistics.number_of_quads, 12);
+  EXPECT_EQ(0u, quads.statistics.quality.number_of_irregular_vertices);
+}
+
+// Two walls of length 5 and a fillet of radius 1/2 between them, in strips as long as the model.
+Model walls_with_fillet(const int number_of_strips)
+{
+  std::vector<Point> profile = { Point(0, 5.5, 0) };
+  for(int i = 0; i <= number_of_strips; ++i)
+  {
+    const double angle = pi / 2 * i / number_of_strips;
+    profile.push_back(Point(0.5 - 0.5 * std::cos(angle), 0.5 - 0.5 * std::sin(angle), 0));
+  }
+  profile.push_back(Point(5.5, 0, 0));
+  const int n = static_cast<int>(profile.size()) - 1;
+  Model model = grid(n, 1, false, false, [&](const double u, const double v)
+                     { return profile[std::lround(u * n)] + Vector(0, 0, 5 * v); });
+  for(const int i : { 1, n - 1 })
+    model.features.push_back(segment(profile[i], profile[i] + Vector(0, 0, 5)));
+  return model;
+}
+
+TEST(Bounded_sizes, divide_fillets)
+{
+  for(const int number : { 7, 10 })
+  {
+    const Quads quads = bounded_quads(walls_with_fillet(6), parameters::target_edge_length(0.5)
+                                                              .edges_across_gap(number).gradation(1.3));
+    // On the border at the end of the fillet.
+    EXPECT_EQ(number, number_of_edges_where(quads, [](const Point& p)
+                                            { return p.z() == 0 && p.x() < 0.5 && p.y() < 0.5; }));
+    EXPECT_NEAR(0.5, quads.statistics.maximum_target_edge_length, 1e-9);
+    EXPECT_NEAR(pi / 4 / number, quads.statistics.minimum_target_edge_length, 0.01);
+    EXPECT_GT(quads.statistics.quality.minimum_scaled_jacobian, 0.5);
+    // Edges along a border grow away from the fillet, each one little more than the one before.
+    std::vector<double> heights;
+    for(const auto v : vertices(quads.mesh))
+      if(quads.mesh.point(v).z() == 0 && quads.mesh.point(v).x() == 0 && quads.mesh.point(v).y() >= 0.5 - 1e-9)
+        heights.push_back(quads.mesh.point(v).y());
+    std::sort(heights.begin(), heights.end());
+    ASSERT_GT(heights.size(), 3u);
+    for(std::size_t i = 2; i < heights.size(); ++i)
+      EXPECT_LT(heights[i] - heights[i - 1], 1.6 * (heights[i - 1] - heights[i - 2]));
+  }
+}
+
+// A hole is 1/10 from a side of a plate of two long triangles.
+TEST(Bounded_sizes, divide_gaps_of_raw_triangles)
+{
+  Polyline hole;
+  for(int i = 0; i < 12; ++i)
+    hole.push_back({ 0.6 + 0.5 * std::cos(30 * degree * i), 4 + 0.5 * std::sin(30 * degree * i) });
+  const Quads quads = bounded_quads(planar({ { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 } }, 100, {}, { hole }),
+                                    parameters::target_edge_length(0.5).edges_across_gap(5));
+  EXPECT_NEAR(0.1 / 5, quads.statistics.minimum_target_edge_length, 0.003);
+  EXPECT_NEAR(0.5, quads.statistics.maximum_target_edge_length, 1e-9);
+  // Edges on and across the shortest line to the hole, without the border of the hole. Rows of quads go on around the
+  // hole, where fewer are wanted.
+  int number = 0;
+  for(const auto e : edges(quads.mesh))
+  {
+    const bool is_low = quads.mesh.point(source(e, quads.mesh)).y() < 4 + 1e-6;
+    const bool is_other_low = quads.mesh.point(target(e, quads.mesh)).y() < 4 + 1e-6;
+    number += middle(quads.mesh, e).x() < 0.1 + 1e-9 && is_low != is_other_low;
+  }
+  EXPECT_GE(number, 4);
+  EXPECT_LE(number, 6);
+}
+
+TEST(Bounded_sizes, that_bound_nothing_change_nothing)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Surface_mesh expected, actual;
+  const auto np = cad_mesh.features().target_edge_length(0.25);
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, expected, np));
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, actual, np.chord_height(infinity).edges_across_gap(0).gradation(1.2)
+                                                         .minimum_edge_length(0.1)));
+  expect_same(expected, actual);
+}
+
 TEST(Numbers_of_edges, are_met)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(square_of_side_4(), false);

@@ -42,6 +42,12 @@ struct Size_bounds
   int edges_across_gap = 0;                                      // 0 for any
   double gradation = 1.5;                                        // infinite for any
   double minimum_edge_length = 0;
+
+  // Whether they can lower lengths: without curvatures and gaps, only different ones.
+  bool lower_lengths(const bool has_one_length) const
+  {
+    return std::isfinite(chord_height) || edges_across_gap > 0 || (!has_one_length && std::isfinite(gradation));
+  }
 };
 
 template <typename NamedParameters>
