@@ -581,6 +581,38 @@ TEST(Computed_sizes, grow_as_the_gradation_says)
   EXPECT_TRUE(is_any_smaller);
 }
 
+// In the order of the vertices, which is the same for all classes.
+TEST(Computed_sizes, do_not_depend_on_the_class_or_the_unit_of_the_mesh)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  const auto np = [](const double unit)
+  {
+    return parameters::target_edge_length(unit).chord_height(1e-3 * unit).edges_across_gap(3)
+             .minimum_edge_length(0.02 * unit);
+  };
+  const std::vector<double> expected = sizes_of(cad_mesh, np(1));
+
+  const FF::Cut_triangle_mesh<Surface_mesh> cut(cad_mesh.mesh, cad_mesh.features());
+  const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+  ASSERT_TRUE(FF::compute_quad_sizes(cut, map, np(1)));
+  for(const auto v : vertices(cad_mesh.mesh))
+    EXPECT_EQ(expected[v], get(map, v));
+
+  const Cad_mesh<Polyhedron> polyhedron(quilt(), false);
+  const auto polyhedron_map = get(CGAL::dynamic_vertex_property_t<double>(), polyhedron.mesh);
+  ASSERT_TRUE(FF::compute_quad_sizes(polyhedron.mesh, polyhedron_map, parameters::join(polyhedron.features(), np(1))));
+  std::size_t i = 0;
+  for(const auto v : vertices(polyhedron.mesh))
+    EXPECT_NEAR(expected[i++], get(polyhedron_map, v), 1e-9);
+
+  const double unit = 1e-4;
+  const std::vector<double> scaled = sizes_of(
+    Cad_mesh<Surface_mesh>(transformed(quilt(), [&](const Point& p)
+                                       { return Point(unit * p.x(), unit * p.y(), unit * p.z()); }), false), np(unit));
+  for(std::size_t v = 0; v < expected.size(); ++v)
+    EXPECT_NEAR(expected[v], scaled[v] / unit, 1e-7);
+}
+
 TEST(Computed_sizes, must_have_bounds_in_their_ranges)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
