@@ -354,11 +354,11 @@ class QuadSizes(QuadProgramTest):
     def test_chords(self):
         height = 0.001
         chord = math.sqrt(8 * 3 * height - 4 * height ** 2)
-        report, around, _ = self.numbers("--chord-height", height)
+        report, around, _ = self.numbers("--chord-height", str(height))
         self.assertAlmostEqual(around, 6 * math.pi / chord, delta=1)
         self.assertAlmostEqual(report["target_edge_length"], chord, delta=1e-9)
         self.assertEqual(report["options"]["chord_height"], height)
-        report, around, _ = self.numbers("--chord-height", height, "--min-edge-length", "0.4")
+        report, around, _ = self.numbers("--chord-height", str(height), "--min-edge-length", "0.4")
         self.assertLess(around, 50)
         self.assertAlmostEqual(report["minimum_target_edge_length"], 0.4, delta=1e-9)
         self.assertEqual(report["options"]["min_edge_length"], 0.4)
