@@ -10,6 +10,7 @@
 #include <CGAL/Frame_fields/quad_mesh.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -410,6 +411,32 @@ TEST(Sizes, are_followed)
     EXPECT_GT(std::sqrt(area), wishes.length(center) / 3);
     EXPECT_LT(std::sqrt(area), wishes.length(center) * 2);
   }
+}
+
+// Four times as long at one end of a patch with an irregular vertex as at the other.
+TEST(Sizes, are_followed_inside_a_patch)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(regular_polygon(5, 0.05), false);
+  Wishes wishes;
+  wishes.length = [](const Point& p) { return 0.03 + 0.09 * (p.x() + 1) / 2; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  std::vector<double> ratios; // of lengths inside to those wanted
+  for(const auto e : edges(quads.mesh))
+    if(!quads.is_on_feature[e.idx()])
+    {
+      const Point p = quads.mesh.point(source(e, quads.mesh)), q = quads.mesh.point(target(e, quads.mesh));
+      ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / wishes.length(CGAL::midpoint(p, q)));
+    }
+  std::sort(ratios.begin(), ratios.end());
+  ASSERT_GT(ratios.size(), 200u);
+  double sum = 0;
+  for(const double ratio : ratios)
+    sum += std::log(ratio) * std::log(ratio);
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(ratios.size())), 0.3); // that of equal lengths is 0.36
+  EXPECT_NEAR(1, ratios[ratios.size() / 2], 0.25);
+  EXPECT_GT(ratios[ratios.size() / 20], 0.6);
+  EXPECT_LT(ratios[ratios.size() - ratios.size() / 20], 1.8);
 }
 
 TEST(Sizes, must_be_positive)
