@@ -40,7 +40,7 @@ struct Wishes
   std::function<double(const Point&)> length = [](const Point&) { return 0.25; };
   std::function<int(const Point&)> number = [](const Point&) { return 0; }; // of a curve, by the middles of edges
   std::function<bool(const Point&)> is_node = [](const Point&) { return false; };
-  bool repairs = true, refines = true;
+  bool repairs = true, refines = true, field_follows_sizes = false;
   // By the middles of faces.
   std::function<Vector(const Point&)> direction = [](const Point&) { return Vector(0, 0, 0); };
   std::function<double(const Point&)> weight = [](const Point&) { return 0; };
@@ -99,6 +99,7 @@ Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, c
                                     .sizing_map(length).vertex_is_constrained_map(is_node)
                                     .number_of_edges_map(number).repair_matching(wishes.repairs)
                                     .refine_long_triangles(wishes.refines)
+                                    .field_follows_sizes(wishes.field_follows_sizes)
                                     .output_edge_is_constrained_map(is_on_feature)
                                     .vertex_to_face_location_map(location)
                                     .fallback_patch_output_iterator(std::back_inserter(quads.fallback_patches))
@@ -413,6 +414,28 @@ TEST(Sizes, are_followed)
   }
 }
 
+// The ratios of the lengths of edges inside the patches to those wanted, in order.
+std::vector<double> ratios_of_lengths(const Quads& quads, const Wishes& wishes)
+{
+  std::vector<double> ratios;
+  for(const auto e : edges(quads.mesh))
+    if(!quads.is_on_feature[e.idx()])
+    {
+      const Point p = quads.mesh.point(source(e, quads.mesh)), q = quads.mesh.point(target(e, quads.mesh));
+      ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / wishes.length(CGAL::midpoint(p, q)));
+    }
+  std::sort(ratios.begin(), ratios.end());
+  return ratios;
+}
+
+double mean_error(const std::vector<double>& ratios)
+{
+  double sum = 0;
+  for(const double ratio : ratios)
+    sum += std::log(ratio) * std::log(ratio);
+  return std::sqrt(sum / static_cast<double>(ratios.size()));
+}
+
 // Four times as long at one end of a patch with an irregular vertex as at the other.
 TEST(Sizes, are_followed_inside_a_patch)
 {
@@ -421,22 +444,42 @@ TEST(Sizes, are_followed_inside_a_patch)
   wishes.length = [](const Point& p) { return 0.03 + 0.09 * (p.x() + 1) / 2; };
   const Quads quads = quads_of(cad_mesh, wishes);
   ASSERT_TRUE(quads.result) << quads.result.message;
-  std::vector<double> ratios; // of lengths inside to those wanted
-  for(const auto e : edges(quads.mesh))
-    if(!quads.is_on_feature[e.idx()])
-    {
-      const Point p = quads.mesh.point(source(e, quads.mesh)), q = quads.mesh.point(target(e, quads.mesh));
-      ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / wishes.length(CGAL::midpoint(p, q)));
-    }
-  std::sort(ratios.begin(), ratios.end());
+  const std::vector<double> ratios = ratios_of_lengths(quads, wishes);
   ASSERT_GT(ratios.size(), 200u);
-  double sum = 0;
-  for(const double ratio : ratios)
-    sum += std::log(ratio) * std::log(ratio);
-  EXPECT_LT(std::sqrt(sum / static_cast<double>(ratios.size())), 0.3); // that of equal lengths is 0.36
+  EXPECT_LT(mean_error(ratios), 0.3); // that of equal lengths is 0.36
   EXPECT_NEAR(1, ratios[ratios.size() / 2], 0.25);
   EXPECT_GT(ratios[ratios.size() / 20], 0.6);
   EXPECT_LT(ratios[ratios.size() - ratios.size() / 20], 1.8);
+}
+
+// A square that is four times as fine at one side as at the other. In a grid, only the columns can be.
+TEST(Sizes, get_irregular_vertices_on_demand)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.12), false);
+  Wishes wishes;
+  wishes.length = [](const Point& p) { return 0.06 + 0.18 * p.x() / 4; };
+  const Quads grid = quads_of(cad_mesh, wishes);
+  wishes.field_follows_sizes = true;
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(grid.result && quads.result) << quads.result.message;
+  EXPECT_EQ(0u, grid.statistics.quality.number_of_irregular_vertices);
+  EXPECT_GT(mean_error(ratios_of_lengths(grid, wishes)), 0.25);
+  EXPECT_LT(mean_error(ratios_of_lengths(quads, wishes)), 0.22);
+  EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+  EXPECT_GT(quads.statistics.quality.number_of_irregular_vertices, 1u);
+  EXPECT_LT(quads.statistics.quality.number_of_irregular_vertices, 12u);
+  EXPECT_EQ(0u, quads.statistics.quality.number_of_irregular_sectors);
+  EXPECT_GT(quads.statistics.quality.minimum_scaled_jacobian, 0.6);
+}
+
+// Without different lengths the field stays as it is.
+TEST(Sizes, of_the_same_length_do_not_turn_the_field)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Wishes wishes;
+  const Quads expected = quads_of(cad_mesh, wishes);
+  wishes.field_follows_sizes = true;
+  expect_same(expected.mesh, quads_of(cad_mesh, wishes).mesh);
 }
 
 TEST(Sizes, must_be_positive)

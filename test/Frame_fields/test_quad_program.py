@@ -134,7 +134,8 @@ class QuadUsage(QuadProgramTest):
         text = self.succeed("--help").stdout
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--edge-length", "--quads", "--chord-height", "--edges-across-gap", "--gradation",
-                       "--min-edge-length", "--no-refinement", "-o", "--ascii", "--feature-lines",
+                       "--min-edge-length", "--field-follows-sizes", "--no-refinement", "-o", "--ascii",
+                       "--feature-lines",
                        "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets",
                        "--sharp-corner-bound", "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads",
                        "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version",
@@ -164,6 +165,7 @@ class QuadUsage(QuadProgramTest):
                 ("--min-edge-length", "cube.off --chord-height 1 --min-edge-length 0"),
                 ("--gradation needs --chord-height", "cube.off --gradation 2"),
                 ("--min-edge-length needs", "cube.off --min-edge-length 1"),
+                ("--field-follows-sizes needs", "cube.off --field-follows-sizes"),
                 (".msh", "cube.off -o out.stl"), (".msh", "cube.off -o out"), ("--output", "cube.off -o"),
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),

@@ -24,6 +24,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/bound_sizes_of_copy.h>
 #include <CGAL/Frame_fields/internal/quads/carry_to_copy.h>
+#include <CGAL/Frame_fields/internal/quads/metric_of_sizes.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
@@ -151,6 +152,16 @@ vertices are on them.
     \cgalParamDescription{a length that neither curvature nor gaps make edges shorter than, a length of `tm`}
     \cgalParamType{`double`, finite and not negative}
     \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{field_follows_sizes}
+    \cgalParamDescription{whether the field gets singularities where lengths that change make rows of quads end. Without
+                          these, a row is as wide at one end of a patch as at the other, and only its columns follow
+                          the lengths.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{The field is then smooth in the metric in which all wanted lengths are the same. The more rapidly
+                    lengths change, the more irregular vertices there are; a `gradation` of 1.2 or less is advisable.
+                    Guiding directions and index targets stay as they are.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_edges_map}
     \cgalParamDescription{the number of quad edges that the feature or border curve of an edge must get, 0 for any. A
@@ -312,10 +323,17 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
 
   clock.start(Quad_stage::FIELD);
   internal::Frame_field field;
-  const internal::Patch_result field_result =
-    internal::compute_frame_field<Concurrency_tag>(surface, options, solver_traits, clock, field);
+  const bool follows_sizes = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal::field_follows_sizes), false) && !request.density.empty();
+  const internal::Cut_surface sized_surface =
+    follows_sizes ? internal::surface_in_metric_of_sizes(surface, embedding, request.density)
+                  : internal::Cut_surface();
+  const internal::Patch_result field_result = internal::compute_frame_field<Concurrency_tag>(
+    follows_sizes ? sized_surface : surface, options, solver_traits, clock, field);
   if(field_result.error_code != OK)
     return internal::to_result(cut_mesh, field_result);
+  if(follows_sizes)
+    internal::carry_angles(sized_surface, surface, field.alpha);
 
   const bool is_field_given = false;
   const auto locate = [&](const internal::Surface_location& location)

@@ -23,6 +23,7 @@ struct Quad_options : Shared_options
   std::optional<double> chord_height;
   std::optional<int> edges_across_gap;
   std::optional<double> gradation, minimum_edge_length;
+  bool field_follows_sizes;
 
   std::vector<std::string> meshes;
   bool writes_ascii;
@@ -71,7 +72,8 @@ inline void read_size_bounds(const boost::program_options::variables_map& variab
   options.edges_across_gap = count_option(variables, "edges-across-gap");
   options.gradation = positive_option(variables, "gradation", 1);
   options.minimum_edge_length = positive_option(variables, "min-edge-length");
-  for(const char* const name : { "gradation", "min-edge-length" })
+  options.field_follows_sizes = variables.count("field-follows-sizes");
+  for(const char* const name : { "gradation", "min-edge-length", "field-follows-sizes" })
     if(variables.count(name) && !options.chord_height && !options.edges_across_gap)
       throw Failure(BAD_USAGE, "--" + std::string(name) + " needs --chord-height or --edges-across-gap");
 }
@@ -88,7 +90,7 @@ inline std::vector<std::string> meshes_option(const boost::program_options::vari
 
 inline Quad_options quad_options_from(const boost::program_options::variables_map& variables)
 {
-  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {}, {}, {}, {}, {} };
+  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {} };
   options.edge_length = edge_length_option(variables);
   options.number_of_quads = count_option(variables, "quads");
   read_size_bounds(variables, options);

@@ -90,7 +90,8 @@ inline void compute_quads(const Model& model, const Feature_map is_feature, cons
                     .chord_height(options.chord_height.value_or(infinity))
                     .edges_across_gap(options.edges_across_gap.value_or(0))
                     .gradation(has_bounds ? options.gradation.value_or(1.5) : infinity)
-                    .minimum_edge_length(options.minimum_edge_length.value_or(0));
+                    .minimum_edge_length(options.minimum_edge_length.value_or(0))
+                    .field_follows_sizes(options.field_follows_sizes);
   check(CGAL::Frame_fields::cad_quad_mesh(
           model.mesh, quads.mesh, parameters::join(np, all_field_parameters(model, is_feature, options))), options);
 }

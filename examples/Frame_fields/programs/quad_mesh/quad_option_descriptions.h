@@ -25,6 +25,9 @@ inline boost::program_options::options_description size_option_descriptions()
     ("gradation", po::value<double>()->value_name("G"),
      "with these two: the greatest ratio of the lengths of consecutive edges; 1.5 by default")
     ("min-edge-length", po::value<double>()->value_name("L"), "with these two: no shorter edges than L; 0 by default")
+    ("field-follows-sizes",
+     "with these two: irregular vertices where the lengths make rows of quadrangles end; best with a gradation of\n"
+     "1.2 or less")
     ("no-refinement", "keep triangles that are much longer than the quadrangles; otherwise a copy of them is refined");
   return options;
 }

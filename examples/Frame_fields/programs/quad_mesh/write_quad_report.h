@@ -20,6 +20,7 @@ inline Json json_of(const Quad_options& options)
   json["edges_across_gap"] = options.edges_across_gap ? Json(*options.edges_across_gap) : Json();
   json["gradation"] = options.gradation ? Json(*options.gradation) : Json();
   json["min_edge_length"] = options.minimum_edge_length ? Json(*options.minimum_edge_length) : Json();
+  json["field_follows_sizes"] = options.field_follows_sizes;
   json["refinement"] = options.refines;
   return json;
 }
