@@ -29,6 +29,7 @@
 #include <CGAL/Frame_fields/cad_frame_field.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/comb_frame_field.h>
+#include <CGAL/Frame_fields/compute_quad_sizes.h>
 #include <CGAL/Frame_fields/detect_feature_edges.h>
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/frame_field_quality.h>

@@ -6,10 +6,12 @@
 
 #include <CGAL/Frame_fields/No_index_target.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/compute_quad_sizes.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/quad_mesh.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -39,7 +41,7 @@ struct Wishes
   std::function<double(const Point&)> length = [](const Point&) { return 0.25; };
   std::function<int(const Point&)> number = [](const Point&) { return 0; }; // of a curve, by the middles of edges
   std::function<bool(const Point&)> is_node = [](const Point&) { return false; };
-  bool repairs = true, refines = true;
+  bool repairs = true, refines = true, field_follows_sizes = false;
   // By the middles of faces.
   std::function<Vector(const Point&)> direction = [](const Point&) { return Vector(0, 0, 0); };
   std::function<double(const Point&)> weight = [](const Point&) { return 0; };
@@ -98,6 +100,7 @@ Quads quads_with(const Cad_mesh<Surface_mesh>& cad_mesh, const Wishes& wishes, c
                                     .sizing_map(length).vertex_is_constrained_map(is_node)
                                     .number_of_edges_map(number).repair_matching(wishes.repairs)
                                     .refine_long_triangles(wishes.refines)
+                                    .field_follows_sizes(wishes.field_follows_sizes)
                                     .output_edge_is_constrained_map(is_on_feature)
                                     .vertex_to_face_location_map(location)
                                     .fallback_patch_output_iterator(std::back_inserter(quads.fallback_patches))
@@ -412,6 +415,74 @@ TEST(Sizes, are_followed)
   }
 }
 
+// The ratios of the lengths of edges inside the patches to those wanted, in order.
+std::vector<double> ratios_of_lengths(const Quads& quads, const Wishes& wishes)
+{
+  std::vector<double> ratios;
+  for(const auto e : edges(quads.mesh))
+    if(!quads.is_on_feature[e.idx()])
+    {
+      const Point p = quads.mesh.point(source(e, quads.mesh)), q = quads.mesh.point(target(e, quads.mesh));
+      ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / wishes.length(CGAL::midpoint(p, q)));
+    }
+  std::sort(ratios.begin(), ratios.end());
+  return ratios;
+}
+
+double mean_error(const std::vector<double>& ratios)
+{
+  double sum = 0;
+  for(const double ratio : ratios)
+    sum += std::log(ratio) * std::log(ratio);
+  return std::sqrt(sum / static_cast<double>(ratios.size()));
+}
+
+// Four times as long at one end of a patch with an irregular vertex as at the other.
+TEST(Sizes, are_followed_inside_a_patch)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(regular_polygon(5, 0.05), false);
+  Wishes wishes;
+  wishes.length = [](const Point& p) { return 0.03 + 0.09 * (p.x() + 1) / 2; };
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(quads.result) << quads.result.message;
+  const std::vector<double> ratios = ratios_of_lengths(quads, wishes);
+  ASSERT_GT(ratios.size(), 200u);
+  EXPECT_LT(mean_error(ratios), 0.3); // that of equal lengths is 0.36
+  EXPECT_NEAR(1, ratios[ratios.size() / 2], 0.25);
+  EXPECT_GT(ratios[ratios.size() / 20], 0.6);
+  EXPECT_LT(ratios[ratios.size() - ratios.size() / 20], 1.8);
+}
+
+// A square that is four times as fine at one side as at the other. In a grid, only the columns can be.
+TEST(Sizes, get_irregular_vertices_on_demand)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.12), false);
+  Wishes wishes;
+  wishes.length = [](const Point& p) { return 0.06 + 0.18 * p.x() / 4; };
+  const Quads grid = quads_of(cad_mesh, wishes);
+  wishes.field_follows_sizes = true;
+  const Quads quads = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(grid.result && quads.result) << quads.result.message;
+  EXPECT_EQ(0u, grid.statistics.quality.number_of_irregular_vertices);
+  EXPECT_GT(mean_error(ratios_of_lengths(grid, wishes)), 0.25);
+  EXPECT_LT(mean_error(ratios_of_lengths(quads, wishes)), 0.22);
+  EXPECT_EQ(1u, quads.statistics.number_of_certified_patches);
+  EXPECT_GT(quads.statistics.quality.number_of_irregular_vertices, 1u);
+  EXPECT_LT(quads.statistics.quality.number_of_irregular_vertices, 12u);
+  EXPECT_EQ(0u, quads.statistics.quality.number_of_irregular_sectors);
+  EXPECT_GT(quads.statistics.quality.minimum_scaled_jacobian, 0.6);
+}
+
+// Without different lengths the field stays as it is.
+TEST(Sizes, of_the_same_length_do_not_turn_the_field)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Wishes wishes;
+  const Quads expected = quads_of(cad_mesh, wishes);
+  wishes.field_follows_sizes = true;
+  expect_same(expected.mesh, quads_of(cad_mesh, wishes).mesh);
+}
+
 TEST(Sizes, must_be_positive)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
@@ -423,6 +494,320 @@ TEST(Sizes, must_be_positive)
     EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, quads.result.error_code);
     EXPECT_NE(std::string::npos, quads.result.message.find("sizing_map")) << quads.result.message;
   }
+}
+
+template <typename NamedParameters>
+std::vector<double> sizes_of(const Cad_mesh<Surface_mesh>& cad_mesh, const NamedParameters& np)
+{
+  const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+  const FF::Result result =
+    FF::compute_quad_sizes(cad_mesh.mesh, map, parameters::join(cad_mesh.features(), np));
+  EXPECT_TRUE(result) << result.message;
+  std::vector<double> sizes;
+  for(const auto v : vertices(cad_mesh.mesh))
+    sizes.push_back(get(map, v));
+  return sizes;
+}
+
+const double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = 180 * degree;
+
+// Two vertices on the circle at the ends of this chord have the height between chord and circle.
+double chord_of(const double radius, const double height)
+{
+  return 2 * radius * std::sin(std::acos(1 - height / radius));
+}
+
+// Of radius 2 around the z-axis, needles from end to end; an angle of 2 pi closes it.
+Model raw_cylinder(const int n, const double height, const double angle)
+{
+  return grid(n, 1, angle == 2 * pi, false, [=](const double u, const double v)
+              { return Point(2 * std::cos(angle * u), 2 * std::sin(angle * u), height * v); });
+}
+
+TEST(Computed_sizes, are_chords_of_cylinders)
+{
+  for(const double height : { 0.1, 30. })
+    for(const Model& model : { raw_cylinder(24, height, 2 * pi), raw_cylinder(2, height, pi / 4),
+                               raw_cylinder(5, height, pi / 2) })
+      for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false),
+                                         parameters::target_edge_length(100).chord_height(0.01).gradation(infinity)))
+        EXPECT_NEAR(chord_of(2, 0.01), length, 1e-9);
+}
+
+TEST(Computed_sizes, are_chords_of_spheres_and_tori)
+{
+  const auto np = parameters::target_edge_length(100).chord_height(0.01).gradation(infinity);
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(sphere(), false), np))
+    EXPECT_NEAR(chord_of(1, 0.01), length, 1e-9);
+  // Of 3 and 1 radius; the curvature across the tube is the greater one everywhere.
+  const Model model = grid(60, 20, true, true, [](const double u, const double v)
+  {
+    const double r = 3 + std::cos(2 * pi * v);
+    return Point(r * std::cos(2 * pi * u), r * std::sin(2 * pi * u), std::sin(2 * pi * v));
+  });
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false), np))
+    EXPECT_NEAR(chord_of(1, 0.01), length, 0.002);
+}
+
+// All faces are flat, and all edges between them are features, which may be rounded.
+TEST(Computed_sizes, are_not_bounded_by_creases)
+{
+  Model model = transformed(cube(), [](const Point& p) { return Point(p.x() / 3, p.y() / 7, p.z() + p.x() / 9); });
+  for(Point& p : model.points)
+    p = Point(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  for(auto& feature : model.features)
+    for(Point* const p : { &feature.first, &feature.second })
+      *p = Point(static_cast<float>(p->x()), static_cast<float>(p->y()), static_cast<float>(p->z()));
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false),
+                                     parameters::target_edge_length(100).chord_height(1e-3).gradation(infinity)))
+    EXPECT_EQ(100, length);
+}
+
+TEST(Computed_sizes, follow_the_bends_of_curves_in_a_plane)
+{
+  const Cad_mesh<Surface_mesh> disk(regular_polygon(40, 0.3), false);
+  const std::vector<double> sizes =
+    sizes_of(disk, parameters::target_edge_length(1).chord_height(1e-3).gradation(infinity));
+  int number_on_border = 0;
+  for(const auto v : vertices(disk.mesh))
+  {
+    const bool is_on_border(CGAL::is_border(v, disk.mesh));
+    number_on_border += is_on_border;
+    EXPECT_EQ(!is_on_border, sizes[v] == 1);
+    EXPECT_LE(sizes[v], is_on_border ? chord_of(1, 1e-3) * (1 + 1e-9) : 1);
+  }
+  EXPECT_GE(number_on_border, 40);
+}
+
+TEST(Computed_sizes, divide_gaps)
+{
+  // A strip of width 1, also a curved one, of raw triangles.
+  const auto np = parameters::target_edge_length(3).edges_across_gap(4).gradation(infinity);
+  const Model strip = grid(3, 1, false, false, [](const double u, const double v) { return Point(30 * u, v, 0); });
+  for(const Model& model : { strip, raw_cylinder(24, 1, 2 * pi), raw_cylinder(1, 1, pi / 2) })
+    for(const double length : sizes_of(Cad_mesh<Surface_mesh>(model, false), np))
+      EXPECT_NEAR(0.25, length, 1e-9);
+  // Edges that meet at a corner do not count as a gap.
+  for(const double length : sizes_of(Cad_mesh<Surface_mesh>(wedge(20), false),
+                                     parameters::target_edge_length(0.01).edges_across_gap(4)))
+    EXPECT_EQ(0.01, length);
+}
+
+// A hole of radius 1/2 is 1/10 from one side of a square.
+TEST(Computed_sizes, are_small_between_a_hole_and_the_border)
+{
+  Polyline hole;
+  for(int i = 0; i < 40; ++i)
+    hole.push_back({ 0.6 + 0.5 * std::cos(9 * degree * i), 2 + 0.5 * std::sin(9 * degree * i) });
+  const Cad_mesh<Surface_mesh> cad_mesh(planar({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, 0.1, {}, { hole }), false);
+  const std::vector<double> sizes =
+    sizes_of(cad_mesh, parameters::target_edge_length(0.3).edges_across_gap(3).gradation(infinity));
+  int number_in_gap = 0;
+  for(const auto v : vertices(cad_mesh.mesh))
+  {
+    const Point& p = cad_mesh.mesh.point(v);
+    if(p.x() < 0.1 && std::abs(p.y() - 2) < 0.05)
+    {
+      ++number_in_gap;
+      EXPECT_NEAR(0.1 / 3, sizes[v], 0.003);
+    }
+    EXPECT_LE(p.x() > 2 ? 0.3 : 0.1 / 3 - 1e-3, sizes[v]);
+  }
+  EXPECT_GT(number_in_gap, 1);
+}
+
+TEST(Computed_sizes, grow_as_the_gradation_says)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  const auto np = parameters::target_edge_length(1).chord_height(1e-3).edges_across_gap(3).minimum_edge_length(0.02);
+  const std::vector<double> bounds = sizes_of(cad_mesh, np.gradation(infinity));
+  const std::vector<double> sizes = sizes_of(cad_mesh, np.gradation(1.2));
+  ASSERT_LT(*std::min_element(bounds.begin(), bounds.end()), 0.1);
+  EXPECT_GE(*std::min_element(bounds.begin(), bounds.end()), 0.02);
+
+  // The greatest lengths that grow so slowly, by relaxation until nothing changes.
+  std::vector<double> expected = bounds;
+  for(bool has_changed = true; has_changed;)
+  {
+    has_changed = false;
+    for(const auto h : halfedges(cad_mesh.mesh))
+    {
+      const auto v = source(h, cad_mesh.mesh), w = target(h, cad_mesh.mesh);
+      const double distance = std::sqrt(CGAL::squared_distance(cad_mesh.mesh.point(v), cad_mesh.mesh.point(w)));
+      const double bound = expected[v] + std::log(1.2) * distance;
+      if(expected[w] > bound + 1e-12)
+      {
+        expected[w] = bound;
+        has_changed = true;
+      }
+    }
+  }
+  bool is_any_smaller = false;
+  for(std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    EXPECT_NEAR(expected[v], sizes[v], 1e-9);
+    is_any_smaller |= sizes[v] < bounds[v] - 1e-3;
+  }
+  EXPECT_TRUE(is_any_smaller);
+}
+
+// In the order of the vertices, which is the same for all classes.
+TEST(Computed_sizes, do_not_depend_on_the_class_or_the_unit_of_the_mesh)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  const auto np = [](const double unit)
+  {
+    return parameters::target_edge_length(unit).chord_height(1e-3 * unit).edges_across_gap(3)
+             .minimum_edge_length(0.02 * unit);
+  };
+  const std::vector<double> expected = sizes_of(cad_mesh, np(1));
+
+  const FF::Cut_triangle_mesh<Surface_mesh> cut(cad_mesh.mesh, cad_mesh.features());
+  const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+  ASSERT_TRUE(FF::compute_quad_sizes(cut, map, np(1)));
+  for(const auto v : vertices(cad_mesh.mesh))
+    EXPECT_EQ(expected[v], get(map, v));
+
+  const Cad_mesh<Polyhedron> polyhedron(quilt(), false);
+  const auto polyhedron_map = get(CGAL::dynamic_vertex_property_t<double>(), polyhedron.mesh);
+  ASSERT_TRUE(FF::compute_quad_sizes(polyhedron.mesh, polyhedron_map, parameters::join(polyhedron.features(), np(1))));
+  std::size_t i = 0;
+  for(const auto v : vertices(polyhedron.mesh))
+    EXPECT_NEAR(expected[i++], get(polyhedron_map, v), 1e-9);
+
+  const double unit = 1e-4;
+  const std::vector<double> scaled = sizes_of(
+    Cad_mesh<Surface_mesh>(transformed(quilt(), [&](const Point& p)
+                                       { return Point(unit * p.x(), unit * p.y(), unit * p.z()); }), false), np(unit));
+  for(std::size_t v = 0; v < expected.size(); ++v)
+    EXPECT_NEAR(expected[v], scaled[v] / unit, 1e-7);
+}
+
+TEST(Computed_sizes, must_have_bounds_in_their_ranges)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(cube(), false);
+  const auto expect_error = [&](const auto& np, const std::string& name)
+  {
+    const auto map = get(CGAL::dynamic_vertex_property_t<double>(), cad_mesh.mesh);
+    const FF::Result result = FF::compute_quad_sizes(cad_mesh.mesh, map, np);
+    EXPECT_EQ(FF::ERROR_WRONG_PARAMETER, result.error_code);
+    EXPECT_NE(std::string::npos, result.message.find(name)) << result.message;
+  };
+  for(const double wrong : { 0., -1., std::nan("") })
+  {
+    expect_error(parameters::chord_height(wrong), "chord_height");
+    expect_error(parameters::gradation(wrong), "gradation");
+    expect_error(parameters::target_edge_length(wrong), "target_edge_length");
+    if(wrong != 0)
+      expect_error(parameters::minimum_edge_length(wrong), "minimum_edge_length");
+  }
+  expect_error(parameters::edges_across_gap(-1), "edges_across_gap");
+  expect_error(parameters::gradation(1.), "gradation");
+  expect_error(parameters::minimum_edge_length(infinity), "minimum_edge_length");
+}
+
+// The quads of a model with bounds of sizes.
+template <typename NamedParameters>
+Quads bounded_quads(const Model& model, const NamedParameters& np)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+  Quads quads;
+  const auto is_on_feature = get(CGAL::dynamic_edge_property_t<bool>(), quads.mesh);
+  quads.result = FF::cad_quad_mesh(cad_mesh.mesh, quads.mesh,
+                                   parameters::join(cad_mesh.features(), np)
+                                     .output_edge_is_constrained_map(is_on_feature)
+                                     .statistics(std::ref(quads.statistics)));
+  EXPECT_TRUE(quads.result) << quads.result.message;
+  for(const auto e : edges(quads.mesh))
+    quads.is_on_feature.push_back(get(is_on_feature, e));
+  return quads;
+}
+
+TEST(Bounded_sizes, make_as_many_quads_as_chords_say)
+{
+  const double height = 4, chord = chord_of(2, 0.01);
+  const Quads quads = bounded_quads(raw_cylinder(24, height, 2 * pi), parameters::target_edge_length(3)
+                                                                         .chord_height(0.01));
+  EXPECT_NEAR(chord, quads.statistics.maximum_target_edge_length, 1e-6);
+  EXPECT_NEAR(std::round(4 * pi / chord) * std::round(height / chord), quads.statistics.number_of_quads, 12);
+  EXPECT_EQ(0u, quads.statistics.quality.number_of_irregular_vertices);
+}
+
+// Two walls of length 5 and a fillet of radius 1/2 between them, in strips as long as the model.
+Model walls_with_fillet(const int number_of_strips)
+{
+  std::vector<Point> profile = { Point(0, 5.5, 0) };
+  for(int i = 0; i <= number_of_strips; ++i)
+  {
+    const double angle = pi / 2 * i / number_of_strips;
+    profile.push_back(Point(0.5 - 0.5 * std::cos(angle), 0.5 - 0.5 * std::sin(angle), 0));
+  }
+  profile.push_back(Point(5.5, 0, 0));
+  const int n = static_cast<int>(profile.size()) - 1;
+  Model model = grid(n, 1, false, false, [&](const double u, const double v)
+                     { return profile[std::lround(u * n)] + Vector(0, 0, 5 * v); });
+  for(const int i : { 1, n - 1 })
+    model.features.push_back(segment(profile[i], profile[i] + Vector(0, 0, 5)));
+  return model;
+}
+
+TEST(Bounded_sizes, divide_fillets)
+{
+  for(const int number : { 7, 10 })
+  {
+    const Quads quads = bounded_quads(walls_with_fillet(6), parameters::target_edge_length(0.5)
+                                                              .edges_across_gap(number).gradation(1.3));
+    // On the border at the end of the fillet.
+    EXPECT_EQ(number, number_of_edges_where(quads, [](const Point& p)
+                                            { return p.z() == 0 && p.x() < 0.5 && p.y() < 0.5; }));
+    EXPECT_NEAR(0.5, quads.statistics.maximum_target_edge_length, 1e-9);
+    EXPECT_NEAR(pi / 4 / number, quads.statistics.minimum_target_edge_length, 0.01);
+    EXPECT_GT(quads.statistics.quality.minimum_scaled_jacobian, 0.5);
+    // Edges along a border grow away from the fillet, each one little more than the one before.
+    std::vector<double> heights;
+    for(const auto v : vertices(quads.mesh))
+      if(quads.mesh.point(v).z() == 0 && quads.mesh.point(v).x() == 0 && quads.mesh.point(v).y() >= 0.5 - 1e-9)
+        heights.push_back(quads.mesh.point(v).y());
+    std::sort(heights.begin(), heights.end());
+    ASSERT_GT(heights.size(), 3u);
+    for(std::size_t i = 2; i < heights.size(); ++i)
+      EXPECT_LT(heights[i] - heights[i - 1], 1.6 * (heights[i - 1] - heights[i - 2]));
+  }
+}
+
+// A hole is 1/10 from a side of a plate of two long triangles.
+TEST(Bounded_sizes, divide_gaps_of_raw_triangles)
+{
+  Polyline hole;
+  for(int i = 0; i < 12; ++i)
+    hole.push_back({ 0.6 + 0.5 * std::cos(30 * degree * i), 4 + 0.5 * std::sin(30 * degree * i) });
+  const Quads quads = bounded_quads(planar({ { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 } }, 100, {}, { hole }),
+                                    parameters::target_edge_length(0.5).edges_across_gap(5));
+  EXPECT_NEAR(0.1 / 5, quads.statistics.minimum_target_edge_length, 0.003);
+  EXPECT_NEAR(0.5, quads.statistics.maximum_target_edge_length, 1e-9);
+  // Edges on and across the shortest line to the hole, without the border of the hole. Rows of quads go on around the
+  // hole, where fewer are wanted.
+  int number = 0;
+  for(const auto e : edges(quads.mesh))
+  {
+    const bool is_low = quads.mesh.point(source(e, quads.mesh)).y() < 4 + 1e-6;
+    const bool is_other_low = quads.mesh.point(target(e, quads.mesh)).y() < 4 + 1e-6;
+    number += middle(quads.mesh, e).x() < 0.1 + 1e-9 && is_low != is_other_low;
+  }
+  EXPECT_GE(number, 4);
+  EXPECT_LE(number, 6);
+}
+
+TEST(Bounded_sizes, that_bound_nothing_change_nothing)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Surface_mesh expected, actual;
+  const auto np = cad_mesh.features().target_edge_length(0.25);
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, expected, np));
+  ASSERT_TRUE(FF::cad_quad_mesh(cad_mesh.mesh, actual, np.chord_height(infinity).edges_across_gap(0).gradation(1.2)
+                                                         .minimum_edge_length(0.1)));
+  expect_same(expected, actual);
 }
 
 TEST(Numbers_of_edges, are_met)

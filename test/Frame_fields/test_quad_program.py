@@ -133,7 +133,9 @@ class QuadUsage(QuadProgramTest):
     def test_help_names_every_option(self):
         text = self.succeed("--help").stdout
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
-                       "--edge-length", "--quads", "--no-refinement", "-o", "--ascii", "--feature-lines",
+                       "--edge-length", "--quads", "--chord-height", "--edges-across-gap", "--gradation",
+                       "--min-edge-length", "--field-follows-sizes", "--no-refinement", "-o", "--ascii",
+                       "--feature-lines",
                        "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets",
                        "--sharp-corner-bound", "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads",
                        "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version",
@@ -157,6 +159,13 @@ class QuadUsage(QuadProgramTest):
                 ("--edge-length", "cube.off --edge-length nan"), ("--edge-length", "cube.off --edge-length inf"),
                 ("--edge-length", "cube.off --edge-length long"), ("--quads", "cube.off --quads 0"),
                 ("--quads", "cube.off --quads 1.5"), ("exclude", "cube.off --quads 10 --edge-length 1"),
+                ("--chord-height", "cube.off --chord-height 0"), ("--chord-height", "cube.off --chord-height inf"),
+                ("--edges-across-gap", "cube.off --edges-across-gap 0"),
+                ("--gradation", "cube.off --chord-height 1 --gradation 1"),
+                ("--min-edge-length", "cube.off --chord-height 1 --min-edge-length 0"),
+                ("--gradation needs --chord-height", "cube.off --gradation 2"),
+                ("--min-edge-length needs", "cube.off --min-edge-length 1"),
+                ("--field-follows-sizes needs", "cube.off --field-follows-sizes"),
                 (".msh", "cube.off -o out.stl"), (".msh", "cube.off -o out"), ("--output", "cube.off -o"),
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),
@@ -318,6 +327,56 @@ class QuadContract(QuadProgramTest):
         report = self.check(flange(), read_features(flange_features()), "--features", flange_features())
         self.assertEqual(report["quality"]["non_positive_quads"], 0)
         self.assertEqual(report["filled_patches"] + report["certified_patches"], report["patches"])
+
+
+class QuadSizes(QuadProgramTest):
+    """A raw tube of length 2 and radius 3 with a feature at a tenth of its length."""
+
+    SEGMENTS = 40
+
+    def write_tube(self):
+        n = self.SEGMENTS
+        points = [(3 * math.cos(2 * math.pi * k / n), 3 * math.sin(2 * math.pi * k / n), z)
+                  for z in (0, 0.2, 2) for k in range(n)]
+        triangles = [t for row in (0, n) for k in range(n) for a, b in [(row + k, row + (k + 1) % n)]
+                     for t in ((a, b, b + n), (a, b + n, a + n))]
+        (self.folder / "tube.off").write_text(f"OFF\n{len(points)} {len(triangles)} 0\n"
+                                              + "".join("%.17g %.17g %.17g\n" % p for p in points)
+                                              + "".join("3 %d %d %d\n" % t for t in triangles))
+        self.write_features([(n + k, n + (k + 1) % n) for k in range(n)])
+        return "tube.off", "--features", "model.feat", "--edge-length", "0.5"
+
+    def numbers(self, *options):
+        """The report, the quadrangles around the tube, and those across its two parts."""
+        points, quads, lines, report = self.mesh(*self.write_tube(), *options)
+        around = sum(all(abs(points[v][2] - 0.2) < 1e-9 for v in line) for line in lines)
+        parts = [sum(max(points[v][2] for v in quad) < 0.2 + 1e-9 for quad in quads)]
+        return report, around, [number / around for number in parts + [len(quads) - parts[0]]]
+
+    def test_chords(self):
+        height = 0.001
+        chord = math.sqrt(8 * 3 * height - 4 * height ** 2)
+        report, around, _ = self.numbers("--chord-height", str(height))
+        self.assertAlmostEqual(around, 6 * math.pi / chord, delta=1)
+        self.assertAlmostEqual(report["target_edge_length"], chord, delta=1e-9)
+        self.assertEqual(report["options"]["chord_height"], height)
+        report, around, _ = self.numbers("--chord-height", str(height), "--min-edge-length", "0.4")
+        self.assertLess(around, 50)
+        self.assertAlmostEqual(report["minimum_target_edge_length"], 0.4, delta=1e-9)
+        self.assertEqual(report["options"]["min_edge_length"], 0.4)
+
+    def test_gaps(self):
+        _, _, parts = self.numbers()
+        self.assertEqual(parts, [1, 4])
+        report, _, (narrow, wide) = self.numbers("--edges-across-gap", "4", "--gradation", "1.3")
+        self.assertEqual(narrow, 4)
+        # As many as the integral of 1 / length over 1.8, for a length that grows from 0.05 by log(1.3) up to 0.45.
+        slope = math.log(1.3)
+        expected = math.log(0.45 / 0.05) / slope + (1.8 - 0.4 / slope) / 0.45
+        self.assertAlmostEqual(wide, expected, delta=1.5)
+        self.assertAlmostEqual(report["minimum_target_edge_length"], 0.05, delta=1e-3)
+        self.assertAlmostEqual(report["maximum_target_edge_length"], 0.45, delta=1e-3)
+        self.assertEqual((report["options"]["edges_across_gap"], report["options"]["gradation"]), (4, 1.3))
 
 
 class QuadGuidance(QuadProgramTest):

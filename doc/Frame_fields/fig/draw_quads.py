@@ -182,6 +182,16 @@ def draw_gallery(computer):
     draw("quad_gallery", [panels[:3], panels[3:]], (400, 330), 1, 1.6)
 
 
+def draw_sizes(computer):
+    """One size, sizes by the bends of the surface, and sizes by the gaps between features."""
+    panels = []
+    for title, options in (("one size", []), ("chord height", ["--chord-height", "0.05"]),
+                           ("three edges across gaps", ["--edges-across-gap", "3", "--min-edge-length", "1"])):
+        vtp, report = computer.quads(FLANGE, "--edge-length", "6", *options)
+        panels.append(Panel(vtp, f"{title}: {report['quads']} quads", from_side(30, 40, 1.05)))
+    draw("quad_sizes", [panels], (500, 400), 1, 1.1)
+
+
 def draw_stages(computer):
     """The map, the T-mesh and the quads of a model."""
     seamless, view = computer.seamless_map("anchor_dense"), from_side(30, 40)
@@ -221,6 +231,7 @@ def plot_irregular(computer):
 
 
 PICTURES = {"flange_quads": draw_flange, "shark_quads": draw_shark, "quad_gallery": draw_gallery,
+            "quad_sizes": draw_sizes,
             "sharp_corner_quads": draw_sharp_corners, "quad_stages": draw_stages, "maps": draw_maps,
             "irregular_vertices": plot_irregular}
 

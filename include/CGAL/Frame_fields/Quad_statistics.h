@@ -101,7 +101,9 @@ struct Quad_statistics
   std::size_t number_of_arcs = 0;              ///< feature curves between nodes, or closed without any
   std::size_t number_of_unmet_edge_numbers = 0; ///< arcs that do not have the number of edges of `number_of_edges_map`
   std::size_t number_of_quads = 0;             ///< faces of the result
-  double target_edge_length = 0;               ///< the one given, or what `number_of_quads` or `sizing_map` amount to
+  double target_edge_length = 0;               ///< the one given, or what `number_of_quads` or all lengths amount to
+  double minimum_target_edge_length = 0;       ///< the least of all lengths asked for: by `sizing_map` or the bounds
+  double maximum_target_edge_length = 0;       ///< the greatest one
 
   /// one entry for each patch, in the order of the numbers in `face_to_patch_map`
   std::vector<Patch_quad_statistics> patches;

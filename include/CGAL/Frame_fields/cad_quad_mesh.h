@@ -16,12 +16,15 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/bound_sizes.h>
 #include <CGAL/Frame_fields/internal/maps/carry_guidance.h>
 #include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
+#include <CGAL/Frame_fields/internal/quads/bound_sizes_of_copy.h>
 #include <CGAL/Frame_fields/internal/quads/carry_to_copy.h>
+#include <CGAL/Frame_fields/internal/quads/metric_of_sizes.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
@@ -121,6 +124,45 @@ vertices are on them.
                     opposite sides allow it; so lengths should change slowly. With `number_of_quads`, only the ratios of
                     the lengths count.}
   \cgalParamNEnd
+  \cgalParamNBegin{chord_height}
+    \cgalParamDescription{how far edges may be from the smooth surface and the smooth curves whose points the vertices
+                          of `tm` are, a length of `tm`: no edge is longer than the chord of this height of a circle
+                          with the greatest normal curvature of the surface, or with that of a feature or border
+                          curve. The height is that of the arc over the chord, also called sagitta.}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{infinity: any}
+    \cgalParamExtra{Creases and corners are not curvature if they are features, or turns of curves by more than 45
+                    degrees. What is within the rounding of coordinates counts as flat.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edges_across_gap}
+    \cgalParamDescription{how many edges there should be at least across the space between two feature or border curves
+                          of a patch, or two parts of one: across a strip such as a fillet, or between two holes}
+    \cgalParamType{`int`, not negative}
+    \cgalParamDefault{0: any}
+    \cgalParamExtra{The space is measured on the surface, perpendicular to the curves. Nothing is asked between two
+                    curves that meet at a corner of the patch.}
+  \cgalParamNEnd
+  \cgalParamNBegin{gradation}
+    \cgalParamDescription{the greatest ratio of the lengths of consecutive edges. Lengths grow along every edge of the
+                          mesh by no more than \f$ \log \f$ of this times its length.}
+    \cgalParamType{`double`, greater than 1, or infinity}
+    \cgalParamDefault{1.5 if any parameter of these four is given, infinity otherwise}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_edge_length}
+    \cgalParamDescription{a length that neither curvature nor gaps make edges shorter than, a length of `tm`}
+    \cgalParamType{`double`, finite and not negative}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{field_follows_sizes}
+    \cgalParamDescription{whether the field gets singularities where lengths that change make rows of quads end. Without
+                          these, a row is as wide at one end of a patch as at the other, and only its columns follow
+                          the lengths.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{The field is then smooth in the metric in which all wanted lengths are the same. The more rapidly
+                    lengths change, the more irregular vertices there are; a `gradation` of 1.2 or less is advisable.
+                    Guiding directions and index targets stay as they are.}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_edges_map}
     \cgalParamDescription{the number of quad edges that the feature or border curve of an edge must get, 0 for any. A
                           curve ends at nodes: at vertices where feature edges end, meet or turn, and at those of
@@ -215,6 +257,7 @@ vertices are on them.
 What is not spent in the linear systems of the field and of the maps, in the flow, and in the smoothing, which makes a
 fixed number of sweeps over the quads, is \cgalBigO{n \log n} for \f$ n \f$ faces of both meshes together.
 
+\sa `compute_quad_sizes()`
 \sa `refine_triangles()`
 \sa `quad_mesh()`, for a field that is given
 \sa `quad_mesh_quality()`
@@ -236,6 +279,9 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return result;
   if(const Result result = internal::check(options); !result)
     return result;
+  const internal::Size_bounds bounds = internal::size_bounds_from(np);
+  if(const Result result = internal::check(bounds); !result)
+    return result;
 
   clock.start(Quad_stage::PREPARATION);
   internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> given_stage_mesh(tm, np);
@@ -253,8 +299,15 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   const internal::Surface_walker given_walker(given_mesh.surface(), given_embedding);
   mesh.origin().walk_by(given_walker);
   const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  if(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::refine_long_triangles), true))
+  const bool refines =
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::refine_long_triangles), true);
+  if(refines)
     internal::refine_for_quads(mesh, prepared, given_mesh.surface(), given_request);
+  if constexpr(internal::has_size_bounds<CGAL_NP_CLASS>)
+    if(const Result result = internal::bound_sizes_of_copy(mesh, prepared, given_mesh.surface(), given_embedding,
+                                                           options, internal::in_unit(bounds, given_unit), refines,
+                                                           given_request); !result)
+      return result;
   if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
     return result;
   typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
@@ -270,11 +323,18 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
 
   clock.start(Quad_stage::FIELD);
   internal::Frame_field field;
-  const internal::Patch_result field_result =
-    internal::compute_frame_field<Concurrency_tag>(surface, options, solver_traits, clock, field);
+  const bool follows_sizes = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal::field_follows_sizes), false) && !request.density.empty();
+  const internal::Cut_surface sized_surface =
+    follows_sizes ? internal::surface_in_metric_of_sizes(surface, embedding, request.density)
+                  : internal::Cut_surface();
+  const internal::Patch_result field_result = internal::compute_frame_field<Concurrency_tag>(
+    follows_sizes ? sized_surface : surface, options, solver_traits, clock, field);
   if(field_result.error_code != OK)
     return internal::to_result(given_mesh, internal::result_in_given_mesh(given_mesh, given_embedding, cut_mesh,
                                                                           field_result));
+  if(follows_sizes)
+    internal::carry_angles(sized_surface, surface, field.alpha);
 
   const bool is_field_given = false;
   const auto locate = [&](const internal::Surface_location& location)

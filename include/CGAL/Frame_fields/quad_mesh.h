@@ -202,6 +202,7 @@ The complexity is that of `cad_quad_mesh()` without its field, except that field
 `cad_frame_field()` does.
 
 \sa `cad_quad_mesh()`
+\sa `compute_quad_sizes()`
 \sa `seamless_parameterization()`
 \sa `frame_field_from_vectors()`
 */

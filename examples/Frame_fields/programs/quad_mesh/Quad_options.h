@@ -19,6 +19,11 @@ struct Quad_options : Shared_options
   std::optional<double> edge_length;
   std::optional<int> number_of_quads; // excludes the edge length
   bool refines;
+  // They bound the lengths of edges.
+  std::optional<double> chord_height;
+  std::optional<int> edges_across_gap;
+  std::optional<double> gradation, minimum_edge_length;
+  bool field_follows_sizes;
 
   std::vector<std::string> meshes;
   bool writes_ascii;
@@ -50,6 +55,29 @@ inline std::optional<double> edge_length_option(const boost::program_options::va
   return length;
 }
 
+inline std::optional<double> positive_option(const boost::program_options::variables_map& variables,
+                                             const std::string& name, const double lower_bound = 0)
+{
+  if(!variables.count(name))
+    return std::nullopt;
+  const double number = variables[name].as<double>();
+  if(!(number > lower_bound && std::isfinite(number)))
+    throw Failure(BAD_USAGE, "--" + name + " must be greater than " + std::to_string(static_cast<int>(lower_bound)));
+  return number;
+}
+
+inline void read_size_bounds(const boost::program_options::variables_map& variables, Quad_options& options)
+{
+  options.chord_height = positive_option(variables, "chord-height");
+  options.edges_across_gap = count_option(variables, "edges-across-gap");
+  options.gradation = positive_option(variables, "gradation", 1);
+  options.minimum_edge_length = positive_option(variables, "min-edge-length");
+  options.field_follows_sizes = variables.count("field-follows-sizes");
+  for(const char* const name : { "gradation", "min-edge-length", "field-follows-sizes" })
+    if(variables.count(name) && !options.chord_height && !options.edges_across_gap)
+      throw Failure(BAD_USAGE, "--" + std::string(name) + " needs --chord-height or --edges-across-gap");
+}
+
 inline std::vector<std::string> meshes_option(const boost::program_options::variables_map& variables)
 {
   if(!variables.count("output"))
@@ -62,9 +90,10 @@ inline std::vector<std::string> meshes_option(const boost::program_options::vari
 
 inline Quad_options quad_options_from(const boost::program_options::variables_map& variables)
 {
-  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {} };
+  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {} };
   options.edge_length = edge_length_option(variables);
   options.number_of_quads = count_option(variables, "quads");
+  read_size_bounds(variables, options);
   options.refines = !variables.count("no-refinement");
   options.meshes = meshes_option(variables);
   options.writes_ascii = variables.count("ascii");

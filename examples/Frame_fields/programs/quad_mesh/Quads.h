@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 // A quadrangle mesh with its feature edges, borders among them, and the patch of each face. CGAL writes the integers to
 // PLY files under their names.
@@ -78,12 +79,19 @@ inline void compute_quads(const Model& model, const Feature_map is_feature, cons
                           Console& console, Quads& quads)
 {
   namespace parameters = CGAL::Frame_fields::parameters;
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  const bool has_bounds = options.chord_height || options.edges_across_gap;
   const auto np = parameters::output_edge_is_constrained_map(quads.is_feature)
                     .face_to_patch_map(quads.patch)
                     .statistics(std::ref(quads.statistics))
                     .visitor(Quad_stage_visitor(console))
                     .target_edge_length(edge_length_of(model.mesh, options))
-                    .refine_long_triangles(options.refines);
+                    .refine_long_triangles(options.refines)
+                    .chord_height(options.chord_height.value_or(infinity))
+                    .edges_across_gap(options.edges_across_gap.value_or(0))
+                    .gradation(has_bounds ? options.gradation.value_or(1.5) : infinity)
+                    .minimum_edge_length(options.minimum_edge_length.value_or(0))
+                    .field_follows_sizes(options.field_follows_sizes);
   check(CGAL::Frame_fields::cad_quad_mesh(
           model.mesh, quads.mesh, parameters::join(np, all_field_parameters(model, is_feature, options))), options);
 }

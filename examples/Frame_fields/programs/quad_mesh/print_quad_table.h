@@ -55,6 +55,11 @@ inline void print_quad_table(const Quad_summary& summary, const bool is_verbose)
   if(is_verbose)
     print_filled_patches(statistics);
   print_row("edge length", statistics.target_edge_length);
+  if(statistics.minimum_target_edge_length < statistics.maximum_target_edge_length)
+  {
+    print_row("  shortest", statistics.minimum_target_edge_length);
+    print_row("  longest", statistics.maximum_target_edge_length);
+  }
   print_row("quadrangles", statistics.number_of_quads);
   print_row("irregular inside", quality.number_of_irregular_vertices);
   print_row("irregular on features", quality.number_of_irregular_sectors);

@@ -18,6 +18,16 @@ inline boost::program_options::options_description size_option_descriptions()
     ("edge-length", po::value<double>()->value_name("L"),
      "the length that edges should have (a length of the model); the mean edge length of MODEL by default")
     ("quads", po::value<int>()->value_name("N"), "instead of a length: about how many quadrangles there should be")
+    ("chord-height", po::value<double>()->value_name("S"),
+     "shorter edges where they would be farther than S from bends of the surface and of features")
+    ("edges-across-gap", po::value<int>()->value_name("N"),
+     "shorter edges where there would be less than N between features, as across a fillet")
+    ("gradation", po::value<double>()->value_name("G"),
+     "with these two: the greatest ratio of the lengths of consecutive edges; 1.5 by default")
+    ("min-edge-length", po::value<double>()->value_name("L"), "with these two: no shorter edges than L; 0 by default")
+    ("field-follows-sizes",
+     "with these two: irregular vertices where the lengths make rows of quadrangles end; best with a gradation of\n"
+     "1.2 or less")
     ("no-refinement", "keep triangles that are much longer than the quadrangles; otherwise a copy of them is refined");
   return options;
 }

@@ -16,6 +16,11 @@ inline Json json_of(const Quad_options& options)
   Json json = json_of_shared(options);
   json["edge_length"] = options.edge_length ? Json(*options.edge_length) : Json();
   json["quads"] = options.number_of_quads ? Json(*options.number_of_quads) : Json();
+  json["chord_height"] = options.chord_height ? Json(*options.chord_height) : Json();
+  json["edges_across_gap"] = options.edges_across_gap ? Json(*options.edges_across_gap) : Json();
+  json["gradation"] = options.gradation ? Json(*options.gradation) : Json();
+  json["min_edge_length"] = options.minimum_edge_length ? Json(*options.minimum_edge_length) : Json();
+  json["field_follows_sizes"] = options.field_follows_sizes;
   json["refinement"] = options.refines;
   return json;
 }
@@ -84,6 +89,8 @@ inline void write_quad_report(std::ostream& out, const Quad_options& options, co
     { "feature_edges", summary.feature_edges },
     { "dangling_ends", json_of(summary.dangling_ends) },
     { "target_edge_length", statistics.target_edge_length },
+    { "minimum_target_edge_length", statistics.minimum_target_edge_length },
+    { "maximum_target_edge_length", statistics.maximum_target_edge_length },
     { "nodes", statistics.number_of_nodes },
     { "arcs", statistics.number_of_arcs },
     { "patches", statistics.number_of_patches },

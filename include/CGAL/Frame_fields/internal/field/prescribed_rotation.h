@@ -75,7 +75,7 @@ inline void prescribe_rotation_locally(const Cut_surface& surface, const Patch& 
     int number_of_dual_edges = -1; // an open fan has one dual edge less than corners
     for_each_corner(surface.opposite, surface.first_corner[corner], [&](int) { ++number_of_dual_edges; });
     share[corner - patch.sectors.begin_index] =
-      rotation_demand_of_corner(surface.total_angle[corner]) / number_of_dual_edges;
+      rotation_demand_of_corner(surface, corner) / number_of_dual_edges;
   }
   for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
     omega[e] = share[surface.sector[surface.dual_edges[e].halfedge] - patch.sectors.begin_index]

@@ -28,9 +28,9 @@ namespace Frame_fields {
 namespace internal {
 
 // d omega, in radians, that gives a sector on constrained edges its natural index (eq. (3) of the paper).
-inline double rotation_demand_of_corner(const double total_angle)
+inline double rotation_demand_of_corner(const Cut_surface& surface, const int corner)
 {
-  return total_angle - natural_number_of_quads(total_angle) * CGAL_PI / 2;
+  return surface.total_angle[corner] - natural_number_of_quads(surface.angle_of_sector(corner)) * CGAL_PI / 2;
 }
 
 // Sets in `demand` (K of the paper) what the corners of the patch ask for and takes it from their receivers. `corners`
@@ -42,7 +42,7 @@ inline int spread_rotation_demand(const Cut_surface& surface, const Patch& patch
 {
   const auto demand_of = [&](const int corner)
   {
-    return rotation_demand_of_corner(surface.total_angle[corner]);
+    return rotation_demand_of_corner(surface, corner);
   };
   const auto take_from = [&](const std::vector<Receiver>& receivers, const double rotation)
   {

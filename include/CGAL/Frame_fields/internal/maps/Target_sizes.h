@@ -22,6 +22,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -84,6 +85,15 @@ struct Target_sizes
 inline double density_at(const Surface_embedding& embedding, const std::vector<double>& density, const int halfedge)
 {
   return density.empty() ? 1 : density[embedding.vertex[halfedge]];
+}
+
+// The lengths wanted at the vertices.
+inline std::vector<double> lengths_at_vertices(const Surface_embedding& embedding, const Target_sizes& sizes)
+{
+  std::vector<double> result(embedding.point.size(), sizes.edge_length);
+  for(std::size_t v = 0; v < sizes.density.size(); ++v)
+    result[v] /= sizes.density[v];
+  return result;
 }
 
 // The mean over a face of the density, which is linear between its vertices.

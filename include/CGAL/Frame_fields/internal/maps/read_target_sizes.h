@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -50,41 +49,46 @@ Result for_each_vertex(const CutMesh& cut_mesh, const Surface_embedding& embeddi
   return {};
 }
 
-// Reads the lengths wanted at the vertices, in the unit of the mesh; they must be positive and finite. The common edge
-// length becomes the one that as many quads would have if all were of the same size or, if the number of quads is
-// given, the one that follows from it: then only the ratios of the lengths count.
+// Divides densities that are one over the lengths wanted by a common one, which becomes the edge length: the one that
+// as many quads would have if all were of the same size or, if the number of quads is given, the one that follows from
+// it. Then only the ratios of the lengths count.
+inline void make_densities_relative(const Cut_surface& surface, const Surface_embedding& embedding,
+                                    const Quad_size& size, Target_sizes& sizes)
+{
+  const auto [smallest, largest] = std::minmax_element(sizes.density.begin(), sizes.density.end());
+  const double largest_density = *largest;
+  if(*smallest == *largest)
+    sizes.density.clear();
+  for(double& density : sizes.density)
+    density /= largest_density;
+  const double squared_density = mean_squared_density(surface, embedding, sizes.density,
+                                                      { 0, surface.number_of_faces() });
+  sizes.edge_length = 1 / (largest_density * std::sqrt(squared_density));
+  for(double& density : sizes.density)
+    density /= std::sqrt(squared_density);
+  if(size.number_of_quads > 0)
+    sizes.edge_length = std::sqrt(surface_area(surface) / size.number_of_quads);
+}
+
+// Reads the lengths wanted at the vertices, in the unit of the mesh; they must be positive and finite.
 template <typename CutMesh, typename SizingMap>
 Result read_sizes(const CutMesh& cut_mesh, const Surface_embedding& embedding, const SizingMap sizing,
                   const Quad_size& size, Target_sizes& sizes)
 {
   const Cut_surface& surface = cut_mesh.surface();
   sizes.density.assign(embedding.point.size(), 1);
-  double largest = 0, smallest = (std::numeric_limits<double>::max)();
   const Result result = for_each_vertex(cut_mesh, embedding, [&](const auto v, const int number) -> Result
   {
     const double length = static_cast<double>(get(sizing, v)) / surface.length_unit;
     sizes.density[number] = 1 / length;
-    largest = (std::max)(largest, 1 / length);
-    smallest = (std::min)(smallest, 1 / length);
     if(length > 0 && std::isfinite(length) && std::isfinite(1 / length))
       return {};
     return failure(ERROR_WRONG_PARAMETER, "sizing_map is not a positive finite number at the vertex at "
                                           + to_text(cut_mesh.coordinates(v)));
   });
-  if(!result)
-    return result;
-  if(smallest == largest)
-    sizes.density.clear();
-  for(double& density : sizes.density)
-    density /= largest;
-  const double squared_density = mean_squared_density(surface, embedding, sizes.density,
-                                                      { 0, surface.number_of_faces() });
-  sizes.edge_length = 1 / (largest * std::sqrt(squared_density));
-  for(double& density : sizes.density)
-    density /= std::sqrt(squared_density);
-  if(size.number_of_quads > 0)
-    sizes.edge_length = std::sqrt(surface_area(surface) / size.number_of_quads);
-  return {};
+  if(result)
+    make_densities_relative(surface, embedding, size, sizes);
+  return result;
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
@@ -32,6 +33,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +82,17 @@ Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& 
   return {};
 }
 
+// The lengths that were asked for, in the caller's unit, which is `unit` of those of the request.
+inline void write_sizes(const Surface_embedding& embedding, const Quad_request& request, const double unit,
+                        Quad_statistics& statistics)
+{
+  const std::vector<double> lengths = lengths_at_vertices(embedding, request);
+  const auto [smallest, largest] = std::minmax_element(lengths.begin(), lengths.end());
+  statistics.target_edge_length = request.edge_length * unit;
+  statistics.minimum_target_edge_length = *smallest * unit;
+  statistics.maximum_target_edge_length = *largest * unit;
+}
+
 // From a field to quads in the caller's mesh; `locate` is as for `output_quads()`.
 template <typename ConcurrencyTag, typename SolverTraits, typename Locate, typename QuadMesh,
           typename NamedParameters>
@@ -113,7 +126,7 @@ Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embed
   clock.start(Quad_stage::ASSEMBLY);
   output_quads(surface, embedding, made.complex, unit, locate, quad_mesh, np);
   clock.stop();
-  made.statistics.target_edge_length = request.edge_length * surface.length_unit * unit;
+  write_sizes(embedding, request, surface.length_unit * unit, made.statistics);
   made.statistics.seconds = clock.seconds();
   write_filled_patches(made.statistics,
                        CGAL::parameters::get_parameter(np, internal::fallback_patch_output_iterator));

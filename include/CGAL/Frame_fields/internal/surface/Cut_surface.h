@@ -58,6 +58,8 @@ struct Cut_surface
   std::vector<int> sector;                   // per halfedge: the sector of the corner at its target
   std::vector<int> first_corner;             // per sector: its clockwise-most corner, any corner if it is closed
   std::vector<double> total_angle;           // per sector
+  std::vector<double> angle_in_space;        // per sector: its total angle in space, where all angles and lengths here
+                                             // are those of another metric; empty otherwise
   std::vector<Dual_edge> dual_edges;
   std::vector<double> transport;             // per dual edge: c_ij
   Edge_weighting edge_weighting = Edge_weighting::UNIFORM;
@@ -77,6 +79,9 @@ struct Cut_surface
 
   // Whether the sector begins and ends with constrained edges; otherwise its fan of corners is closed.
   bool is_constrained_sector(const int s) const;
+
+  // The angle of a sector that tells how many quadrangles fit into it.
+  double angle_of_sector(const int s) const { return angle_in_space.empty() ? total_angle[s] : angle_in_space[s]; }
 
   bool is_aligned(const int face) const { return !std::isnan(alignment[face]); }
 };

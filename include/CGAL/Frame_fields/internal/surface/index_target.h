@@ -42,7 +42,7 @@ constexpr double angle_tolerance = 1e-3;
 // Whether a sector on constrained edges has an angle below `bound`, in radians.
 inline bool is_sharp_corner(const Cut_surface& surface, const int sector, const double bound)
 {
-  return surface.total_angle[sector] < bound - angle_tolerance && surface.is_constrained_sector(sector);
+  return surface.angle_of_sector(sector) < bound - angle_tolerance && surface.is_constrained_sector(sector);
 }
 
 // The number of quadrangles at a sector on constrained edges whose angles are nearest to right ones, at least one. An
@@ -55,7 +55,7 @@ inline int natural_number_of_quads(const double total_angle)
 // 4 I of a sector with the natural number of quadrangles if it is on constrained edges; 0 inside.
 inline int natural_index(const Cut_surface& surface, const int sector)
 {
-  return surface.is_constrained_sector(sector) ? 2 - natural_number_of_quads(surface.total_angle[sector]) : 0;
+  return surface.is_constrained_sector(sector) ? 2 - natural_number_of_quads(surface.angle_of_sector(sector)) : 0;
 }
 
 // Which sectors on constrained edges get their natural index prescribed, and not only by the repair: sharp corners, and
@@ -68,7 +68,7 @@ struct Corner_bounds
 
 inline bool is_prescribed_corner(const Cut_surface& surface, const int sector, const Corner_bounds& bounds)
 {
-  const double angle = surface.total_angle[sector];
+  const double angle = surface.angle_of_sector(sector);
   return is_sharp_corner(surface, sector, bounds.sharp)
       || (std::abs(angle - CGAL_PI) > bounds.blunt + angle_tolerance && natural_number_of_quads(angle) > 1
           && surface.is_constrained_sector(sector));

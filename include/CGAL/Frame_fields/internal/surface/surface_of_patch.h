@@ -45,6 +45,7 @@ inline Cut_surface surface_of_patch(const Cut_surface& surface, const Patch& pat
   result.sector = part_of(surface.sector, halfedges);
   result.first_corner = part_of(surface.first_corner, patch.sectors);
   result.total_angle = part_of(surface.total_angle, patch.sectors);
+  result.angle_in_space = part_of(surface.angle_in_space, patch.sectors);
   result.dual_edges = part_of(surface.dual_edges, patch.dual_edges);
   result.transport = part_of(surface.transport, patch.dual_edges);
   result.edge_weighting = surface.edge_weighting;
