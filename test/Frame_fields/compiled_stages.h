@@ -31,7 +31,10 @@
     const Eigen_frame_field_solver_traits&, std::vector<Branch_rotations>&, int&);                                     \
   EXTERN_OR_NOTHING template void compute_seamless_map<Concurrency_tag>(                                               \
     const Cut_surface&, const std::vector<double>&, const std::vector<double>&, const std::vector<int>&,               \
-    const std::vector<int>&, const std::vector<double>&, const Eigen_frame_field_solver_traits&, Seamless_map&);       \
+    const std::vector<int>&, const std::vector<double>&, const Eigen_frame_field_solver_traits&, Seamless_map&);
+
+// The same of the stages of quads, in compiled_quad_stages.cpp.
+#define TEST_FRAME_FIELDS_QUAD_STAGES(EXTERN_OR_NOTHING, Concurrency_tag)                                              \
   EXTERN_OR_NOTHING template Quad_complex make_quads<Concurrency_tag>(                                                 \
     const Cut_surface&, const Surface_embedding&, const std::vector<int>&, const Seamless_map&,                        \
     const Feature_network&, const Quad_request&, const std::vector<int>&, Quad_stage_timer&, Quad_statistics&);        \
@@ -45,6 +48,8 @@ namespace internal {
 
 TEST_FRAME_FIELDS_STAGES(extern, CGAL::Sequential_tag)
 TEST_FRAME_FIELDS_STAGES(extern, CGAL::Parallel_tag)
+TEST_FRAME_FIELDS_QUAD_STAGES(extern, CGAL::Sequential_tag)
+TEST_FRAME_FIELDS_QUAD_STAGES(extern, CGAL::Parallel_tag)
 
 } // namespace internal
 } // namespace Frame_fields

@@ -40,7 +40,7 @@ inline const char* reason_of(const T_mesh_status status)
 {
   switch(status)
   {
-    case T_mesh_status::COMPLETE:           return "no numbers of edges fit its arcs and those of its neighbors";
+    case T_mesh_status::COMPLETE:           return "no numbers of edges tried give valid quads in it and beside it";
     case T_mesh_status::NOT_CERTIFIED:      return "the map has no certificate";
     case T_mesh_status::WRONG_SECTOR:       return "a sector of the map does not have the directions of its index";
     case T_mesh_status::TOO_LONG:           return "the lines from the singularities are too long";
