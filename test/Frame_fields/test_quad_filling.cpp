@@ -1,7 +1,10 @@
 #include "test_quad_surface.h"
 
+#include <CGAL/Frame_fields/internal/layout/arc_breakpoints.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_points.h>
+#include <CGAL/Frame_fields/internal/quads/Quad_layout.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
+#include <CGAL/Frame_fields/internal/quads/make_arc_vertices.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
@@ -357,6 +360,65 @@ TEST(Quad_filling, marked_vertices_inside_stay)
       EXPECT_LT(distance(s.point(v.location), soup.points[marked]), 1e-14);
     }
   EXPECT_EQ(count, 1);
+}
+
+// A helix whose first two turns have 12 edges each and the other two 300 each: the breakpoints are 30 and 22.5 degrees
+// apart there. As many points, evenly spaced, would go by up to two edges to reach them.
+TEST(Arc_vertices, go_to_bends_but_not_far_along_a_smooth_arc)
+{
+  const double pi = std::acos(-1.), tolerance = 0.05;
+  Surface_embedding embedding;
+  Feature_network network;
+  network.arcs.push_back({ {}, false });
+  const auto add_edges = [&](const int number, const double begin, const double end)
+  {
+    for(int i = embedding.point.empty() ? 0 : 1; i <= number; ++i)
+    {
+      const double angle = begin + (end - begin) * i / number;
+      embedding.point.push_back({ std::cos(angle), std::sin(angle), 0.05 * angle });
+    }
+  };
+  const auto follow = [&](const bool has_corner)
+  {
+    network.arcs[0].halfedges.clear();
+    embedding.vertex.clear();
+    std::vector<int> sources;
+    for(int v = 0; v + 1 < static_cast<int>(embedding.point.size()); ++v)
+    {
+      network.arcs[0].halfedges.push_back(3 * v);
+      embedding.vertex.insert(embedding.vertex.end(), { v + 1, -1, v });
+      sources.push_back(v);
+    }
+    const Arc_points arc_points(embedding, network);
+    const std::vector<std::vector<int> > breakpoints{ arc_breakpoints(embedding, network.arcs[0], sources, tolerance) };
+    const std::vector<double> arc_tolerance{ tolerance };
+    const Cut_surface surface;
+    const Quad_layout layout{ surface, embedding, network, {}, {}, {}, {}, {}, {}, breakpoints, arc_tolerance };
+    const int number_of_edges = static_cast<int>(breakpoints[0].size()) + 1;
+    const std::vector<double> even = evenly_spaced_points(arc_points.length(0), number_of_edges, false);
+    Placed_arc placed{ even, {} };
+    follow_bends(layout, arc_points, 0, placed);
+    if(has_corner)
+      return std::make_pair(placed.has_free_bends, arc_points.length_at(0, 7, 0) - placed.length[6]);
+    double farthest = 0;
+    for(std::size_t i = 0; i < even.size(); ++i)
+      farthest = (std::max)(farthest, std::abs(placed.length[i] - even[i]));
+    EXPECT_LE(deviation_of_points(arc_points, 0, false, placed.length), tolerance);
+    return std::make_pair(placed.has_free_bends, farthest * number_of_edges / arc_points.length(0));
+  };
+
+  add_edges(24, 0, 4 * pi);
+  add_edges(600, 4 * pi, 8 * pi);
+  const auto [has_free_bends, moved_edges] = follow(false);
+  EXPECT_TRUE(has_free_bends);
+  EXPECT_LE(moved_edges, 1);
+
+  embedding.point.clear(); // an even helix with one corner
+  add_edges(24, 0, 4 * pi);
+  embedding.point[7] = { 3, 0, 1 };
+  const auto [has_free_bends_beside_corner, distance_from_corner] = follow(true);
+  EXPECT_FALSE(has_free_bends_beside_corner);
+  EXPECT_EQ(distance_from_corner, 0);
 }
 
 } // namespace

@@ -536,8 +536,9 @@ public:
                              ? 2 * static_cast<int>(m_features.arcs[a].halfedges.size())
                              : smallest_even_count(m_embedding, m_features.arcs[a]));
     const std::vector<std::vector<int> > edges_of_piece(number_of_patches()), breakpoints(m_features.arcs.size());
+    const std::vector<double> arc_tolerance(m_features.arcs.size(), 0);
     const FF::internal::Quad_layout layout{ m_surface, m_embedding, m_features, m_map, t_meshes, sources, sides,
-                                            edges_of_piece, edges_of_arc, breakpoints };
+                                            edges_of_piece, edges_of_arc, breakpoints, arc_tolerance };
     FF::internal::Quad_complex complex;
     make_arc_vertices(layout, complex);
     const FF::internal::Surface_walker walker(m_surface, m_embedding);

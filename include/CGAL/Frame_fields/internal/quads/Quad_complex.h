@@ -39,6 +39,7 @@ struct Quad_complex
   std::vector<int> patch;                  // per quad
   std::vector<std::vector<int> > arcs;     // per feature arc: its vertices in order; those of a loop only once
   std::vector<char> is_loop;               // per feature arc
+  std::vector<char> has_free_bends;        // per feature arc: whether not every bend has a vertex that stays there
 };
 
 // Puts `number[v]` in the place of each vertex v of quads and arcs.

@@ -45,6 +45,7 @@ struct Quad_layout
   const std::vector<std::vector<int> >& edges_of_piece; // per patch
   const std::vector<int>& edges_of_arc;
   const std::vector<std::vector<int> >& breakpoints; // per arc: places where it must have a vertex
+  const std::vector<double>& arc_tolerance;          // per arc: how far sides of quads may be from it
 };
 
 // Whether a patch beside an arc is made of split triangles.

@@ -154,7 +154,7 @@ private:
     const std::vector<std::vector<int> > breakpoints = m_layout.attainable_breakpoints();
     const std::vector<Patch_source>& sources = m_layout.sources();
     const Quad_layout layout{ m_surface, m_embedding, m_features, m_map, m_t_meshes, sources, m_layout.sides(),
-                              edges_of_piece, edges_of_arc, breakpoints };
+                              edges_of_piece, edges_of_arc, breakpoints, m_layout.tolerance_of_arc() };
     Quad_complex complex;
     m_classes = Vertex_classes();
     m_origin.clear();

@@ -63,6 +63,8 @@ public:
   // that of the lengths of the sized surface.
   double arc_tolerance() const { return m_arc_tolerance; }
 
+  const std::vector<double>& tolerance_of_arc() const { return m_tolerance_of_arc; } // in the unit of the lengths
+
   // Sets this tolerance and starts over: all wanted numbers of edges count again and no bound is raised, but patches
   // that were given up stay so. The tolerance of an arc is also bounded by a small part of its length, as no side is
   // longer than its arc.
@@ -70,6 +72,7 @@ public:
   {
     m_arc_tolerance = tolerance;
     m_breakpoints.clear();
+    m_tolerance_of_arc.clear();
     for(const Feature_arc& arc : m_features.arcs)
     {
       double arc_length = 0, sized_length = 0;
@@ -78,9 +81,9 @@ public:
         arc_length += m_surface.length[h];
         sized_length += measured_surface().length[h];
       }
-      m_breakpoints.push_back(arc_breakpoints(m_embedding, arc, source_vertices(arc),
-                                              (std::min)(tolerance * (arc_length / sized_length),
-                                                         part_of_edge_length * arc_length)));
+      m_tolerance_of_arc.push_back((std::min)(tolerance * (arc_length / sized_length),
+                                              part_of_edge_length * arc_length));
+      m_breakpoints.push_back(arc_breakpoints(m_embedding, arc, source_vertices(arc), m_tolerance_of_arc.back()));
     }
     m_number_of_edges = m_targets.number_of_edges;
     reset_bounds();
@@ -472,6 +475,7 @@ private:
   std::vector<Patch_source> m_sources;          // per patch
   bool m_forbids_empty_pieces = false;
   Arc_sides m_sides;
+  std::vector<double> m_tolerance_of_arc;       // per arc, in the unit of the lengths
   std::vector<std::vector<int> > m_breakpoints; // per arc: the places where it must have a vertex
   T_mesh_network m_layout;
   std::optional<Quantizer> m_quantizer; // of the network of the layout

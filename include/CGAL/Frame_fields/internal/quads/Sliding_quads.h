@@ -56,6 +56,7 @@ public:
     , m_arc_order(complex, network, m_arc_points), m_arc_tolerance(arc_tolerance)
     , m_is_released(network.arcs.size(), false), m_normals(complex, surface, embedding, network, m_walker)
   {
+    std::copy(complex.has_free_bends.begin(), complex.has_free_bends.end(), m_is_released.begin());
     collect_corners();
     for(const Quad_vertex& v : complex.vertices)
       m_point.push_back(m_walker.point(v.location));

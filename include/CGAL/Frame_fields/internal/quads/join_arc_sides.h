@@ -49,6 +49,7 @@ struct Placed_arc
 {
   std::vector<double> length;                      // increasing; inner points only, but all of a loop
   std::array<int, 2> first_of_side = { { 0, 0 } }; // for a loop: the point that each side's list begins with
+  bool has_free_bends = false;                     // there is no point at some of the bends
 };
 
 // The shift for which the points i + shift of the loop `to` are nearest to the points i of `from`, in O(n log n). Both

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_ARC_VERTICES_H
 
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
+#include <CGAL/Frame_fields/internal/layout/arc_breakpoints.h>
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_points.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -58,6 +60,70 @@ inline std::vector<double> evenly_spaced_points(const double length, const int n
   return points;
 }
 
+// Whether a point has moved past the place where a neighbor of it was. On a loop the last point is beside the first.
+inline bool has_passed_neighbor(const std::vector<double>& before, const std::vector<double>& after, const bool is_loop,
+                                const double length)
+{
+  const std::size_t n = before.size();
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double previous = i > 0 ? before[i - 1] : is_loop ? before[n - 1] - length : 0;
+    const double next = i + 1 < n ? before[i + 1] : is_loop ? before[0] + length : length;
+    if(after[i] < previous || after[i] > next)
+      return true;
+  }
+  return false;
+}
+
+// How far an arc is from the straight lines between successive points on it.
+inline double deviation_of_points(const Arc_points& arc_points, const int arc, const bool is_loop,
+                                  const std::vector<double>& points)
+{
+  const double length = arc_points.length(arc);
+  const auto point_at = [&](const double l)
+  {
+    return arc_points.point(arc, arc_points.position_at(arc, is_loop ? l - std::floor(l / length) * length : l));
+  };
+  double result = 0;
+  for(std::size_t i = is_loop ? 1 : 0; i <= points.size(); ++i)
+  {
+    const double begin = i > 0 ? points[i - 1] : 0;
+    const double end = i < points.size() ? points[i] : is_loop ? points[0] + length : length;
+    result = (std::max)(result, arc_points.deviation(arc, begin, end, point_at(begin), point_at(end)));
+  }
+  return result;
+}
+
+// Moves the points to the breakpoints of an arc. On a smooth curve that is divided unevenly, these may be dense where
+// the points are not. Then points would go far along the arc, and the quads beside it would be slanted. So there are
+// fewer breakpoints then, those of a larger tolerance, if the points stay as near to the arc with these.
+inline void follow_bends(const Quad_layout& layout, const Arc_points& arc_points, const int arc, Placed_arc& placed)
+{
+  const bool is_loop = layout.network.arcs[arc].is_loop;
+  const double length = arc_points.length(arc);
+  const std::vector<double> old_points(placed.length);
+  move_to_breakpoints(arc_points, arc, is_loop, layout.breakpoints[arc], placed.length);
+  if(!has_passed_neighbor(old_points, placed.length, is_loop, length))
+    return;
+  const Feature_arc& feature_arc = layout.network.arcs[arc];
+  std::vector<int> source_vertices;
+  for(const int h : feature_arc.halfedges)
+    source_vertices.push_back(layout.embedding.vertex[previous_of(h)]);
+  for(double tolerance = 2 * layout.arc_tolerance[arc]; tolerance > 0 && tolerance < length; tolerance *= 2)
+  {
+    std::vector<double> moved = old_points;
+    move_to_breakpoints(arc_points, arc, is_loop,
+                        arc_breakpoints(layout.embedding, feature_arc, source_vertices, tolerance), moved);
+    if(!has_passed_neighbor(old_points, moved, is_loop, length)
+       && deviation_of_points(arc_points, arc, is_loop, moved) <= layout.arc_tolerance[arc])
+    {
+      placed.length.swap(moved);
+      placed.has_free_bends = true;
+      return;
+    }
+  }
+}
+
 inline Placed_arc place_arc_points(const Quad_layout& layout, const Arc_points& arc_points, const int arc)
 {
   const bool is_loop = layout.network.arcs[arc].is_loop;
@@ -78,7 +144,7 @@ inline Placed_arc place_arc_points(const Quad_layout& layout, const Arc_points& 
     points[0] = evenly_spaced_points(whole, layout.edges_of_arc[arc], is_loop);
   Placed_arc placed = join_sides(points, fixed, is_loop, whole);
   if(fixed.empty())
-    move_to_breakpoints(arc_points, arc, is_loop, layout.breakpoints[arc], placed.length);
+    follow_bends(layout, arc_points, arc, placed);
   return placed;
 }
 
@@ -141,6 +207,7 @@ inline Placed_arcs make_arc_vertices(const Quad_layout& layout, Quad_complex& co
     complex.arcs.emplace_back();
     std::vector<int>& vertices = complex.arcs.back();
     complex.is_loop.push_back(arc.is_loop);
+    complex.has_free_bends.push_back(result.points.back().has_free_bends);
     if(!arc.is_loop)
       vertices.push_back(result.of_node[layout.embedding.vertex[previous_of(arc.halfedges.front())]]);
     for(const double length : result.points.back().length)
