@@ -32,8 +32,8 @@ namespace internal {
 //
 // It minimizes the sum of (|a|^2 + |b|^2) / (2 chi(a x b)) over the corners with sides a and b, where a x b is seen
 // along the normal of the surface, and chi(t) = (t + sqrt(t^2 + e^2)) / 2 is positive also for inverted corners; e gets
-// smaller with them. On the way a quad may get worse. In the end, all moves are undone if the worst scaled Jacobian of
-// the part is worse than before, if more quads are inverted, or if neither has improved.
+// smaller with them. On the way a quad may get worse. In the end, all moves are undone unless fewer quads are inverted,
+// or as many and the worst scaled Jacobian of the part is better.
 class Untangled_part
 {
 public:
@@ -61,10 +61,8 @@ public:
         break;
     }
     const std::pair<int, double> new_score = score();
-    const bool is_better =
-      new_score.second >= old_score.second
-      && (new_score.first < old_score.first
-          || (new_score.first == old_score.first && new_score.second > old_score.second));
+    const bool is_better = new_score.first < old_score.first
+                        || (new_score.first == old_score.first && new_score.second > old_score.second);
     if(!is_better)
       for(std::size_t i = 0; i < m_vertices.size(); ++i)
         m_quads.move(m_vertices[i], m_old_slide[i]);
