@@ -482,7 +482,7 @@ TEST(Quad_smoothing, twisted_rings_are_untwisted)
   const int n = 24, number_of_rings = 5;
   const Smoothing_case annulus = smoothing_cases().back();
   const Quad_surface& s = annulus.surface;
-  for(const int turn : { -5, -4, 4, 5 })
+  for(const int turn : { -5, 5 })
   {
     SCOPED_TRACE(turn);
     const Quad_complex flat = scattered(s, annulus.quads, 1e-9, 1);
