@@ -233,6 +233,21 @@ std::vector<Random_models> random_models()
 INSTANTIATE_TEST_SUITE_P(, Quad_meshes_of_random_models, testing::ValuesIn(random_models()),
                          [](const auto& info) { return info.param.name; });
 
+// Domains where quads between fixed vertices are valid only once they are divided more than once.
+TEST(Quad_meshes_of_narrow_domains, have_no_inverted_quad)
+{
+  for(const unsigned seed : { 313u, 949u, 1002u, 1435u, 1899u })
+  {
+    SCOPED_TRACE(seed);
+    const Cad_mesh<Surface_mesh> cad_mesh(random_planar_domain(seed), false);
+    const double length = (seed % 2 == 0 ? 1 : 3) * mean_edge_length(cad_mesh.mesh);
+    const Quads quads = quads_of(cad_mesh, parameters::target_edge_length(length));
+    EXPECT_EQ("", Quad_contract(triangles_of(cad_mesh), quads.surface).broken_facts());
+    for(std::size_t f = 0; f < quads.surface.faces.size(); ++f)
+      EXPECT_GT(least_scaled_jacobian(quads.surface, f), 0) << f;
+  }
+}
+
 Model tripod()
 {
   return planar({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } }, 0.5,

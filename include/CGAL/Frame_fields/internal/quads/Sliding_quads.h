@@ -108,6 +108,24 @@ public:
   // The sum of the unit normals that the surface has at the vertices of a quad, on its side of the arcs.
   Coordinates surface_normal(const int quad) const { return m_normals.sum(quad); }
 
+  // Zero if these cancel out.
+  Coordinates unit_normal(const int quad) const
+  {
+    const Coordinates normal = surface_normal(quad);
+    const double norm = length(normal);
+    return norm > 0 ? 1 / norm * normal : normal;
+  }
+
+  // The unit vector along its arc at a vertex; zero where the edge of the surface has no length.
+  Coordinates direction_of_arc(const int vertex) const
+  {
+    const Quad_vertex& v = m_complex.vertices[vertex];
+    const int h = m_arc_points.halfedge(v.arc, v.position);
+    const Coordinates edge = m_walker.target(h) - m_walker.target(previous_of(h));
+    const double norm = length(edge);
+    return norm > 0 ? 1 / norm * edge : edge;
+  }
+
   double worst() const
   {
     double result = std::numeric_limits<double>::infinity();

@@ -70,8 +70,12 @@ struct Refined_quads
 
 // Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
-// be raised, or when a refinement leaves more than 3/4 of the least number of inverted quads so far and these are less
-// than a tenth of all quads. Returns the quads with the fewest inverted ones.
+// be raised, or when refinements in vain have made too many quads.
+//
+// A refinement is in vain if it leaves more than 3/4 of the least number of inverted quads so far and these are less
+// than a tenth of all quads. Some of these may have to come before one that helps: quads between fixed vertices are
+// valid only once they are divided, which happens when their empty pieces have got edges. Returns the quads with the
+// fewest inverted ones.
 template <typename ConcurrencyTag>
 Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                  const Feature_network& features, const std::vector<T_mesh>& t_meshes,
@@ -79,13 +83,14 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
                                  Quad_stage_timer& clock)
 {
   const int maximum_number_of_refinements = 6;
+  const std::size_t maximum_number_of_quads_in_vain = 50000;
   double least_edge_length = request.edge_length;
   for(const double edge_length : targets.edge_length)
     least_edge_length = (std::min)(least_edge_length, edge_length);
   Smoothing_options options = smoothing_through_poor_shapes();
   options.may_release_bends = false;
   Refined_quads best;
-  std::size_t least_number_of_inverted = 0;
+  std::size_t least_number_of_inverted = 0, number_of_quads_in_vain = 0;
   for(int refinement = 0; ; ++refinement)
   {
     clock.start(Quad_stage::QUANTIZATION);
@@ -99,10 +104,10 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
       smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
     const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
-    const bool is_worth_more =
-      refinement == 0 || are_few_quads || 4 * inverted.size() <= 3 * least_number_of_inverted;
-    const bool has_more_room = is_worth_more && !inverted.empty() && refinement < maximum_number_of_refinements
-                               && maker.refine(next.complex, inverted);
+    if(refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least_number_of_inverted)
+      number_of_quads_in_vain += next.complex.quads.size();
+    const bool has_more_room = number_of_quads_in_vain <= maximum_number_of_quads_in_vain && !inverted.empty()
+                               && refinement < maximum_number_of_refinements && maker.refine(next.complex, inverted);
     if(is_better)
     {
       best = std::move(next);
