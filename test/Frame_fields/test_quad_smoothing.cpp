@@ -311,7 +311,8 @@ std::vector<char> valid_quads(const Sliding_quads& quads, const std::size_t numb
   return result;
 }
 
-// Also where many quads are inverted. To untangle a part may invert quads, but not more than it turns back.
+// Also where many quads are inverted. To untangle a part may invert quads, but not more than it turns back. Only if it
+// turns back more, the worst quad may get worse.
 TEST(Quad_smoothing, no_step_inverts_quads)
 {
   for(const Smoothing_case& c : smoothing_cases())
@@ -328,8 +329,11 @@ TEST(Quad_smoothing, no_step_inverts_quads)
         const std::vector<char> after = valid_quads(quads, complex.quads.size());
         for(std::size_t q = 0; q < before.size() && step % 3 != 2; ++q)
           EXPECT_GE(after[q], before[q]) << step;
-        EXPECT_GE(std::count(after.begin(), after.end(), 1), std::count(before.begin(), before.end(), 1)) << step;
-        EXPECT_GE(quads.worst(), old_worst - 1e-14) << step;
+        const auto valid_before = std::count(before.begin(), before.end(), 1);
+        const auto valid_after = std::count(after.begin(), after.end(), 1);
+        EXPECT_GE(valid_after, valid_before) << step;
+        const bool may_get_worse = step % 3 == 2 && valid_after > valid_before;
+        EXPECT_TRUE(may_get_worse || quads.worst() >= old_worst - 1e-14) << step;
       }
     }
 }
@@ -473,6 +477,27 @@ TEST(Quad_smoothing, kept_vertices_slide_within_the_tolerance_where_quads_are_in
       EXPECT_EQ(largest > 1e-3, may_slide);
       EXPECT_GE(least_radius, 9 - 2 * tolerance - 0.08); // the sagitta of the circle's own edges is 0.077
     }
+}
+
+// Whoever slides vertices after a release has to keep the arc as well.
+TEST(Quad_smoothing, released_arcs_are_kept_afterward)
+{
+  const int n = 24, outer = 5 * n;
+  const Smoothing_case annulus = smoothing_cases().back();
+  const Quad_surface& s = annulus.surface;
+  Quad_complex complex = scattered(s, {}, 1e-9, 1);
+  for(int i = 0; i < n; ++i)
+  {
+    complex.vertices[outer + i].vertex = outer + i;
+    complex.quads.push_back({ i, outer + i, outer + (i + 1) % n, (i + 1) % n });
+    complex.patch.push_back(0);
+  }
+  ASSERT_TRUE(Sliding_quads(complex, s.surface, s.embedding, s.network, 0.01).release(outer + 1));
+  const Sliding_quads quads(complex, s.surface, s.embedding, s.network, 0.01);
+  const double length = quads.arc_order().length(outer + 1);
+  Slide slide;
+  EXPECT_TRUE(quads.slide_on_arc(outer + 1, length + 1e-3, slide));
+  EXPECT_FALSE(quads.slide_on_arc(outer + 1, length + 1, slide)); // whose sides are 0.06 from the arc
 }
 
 // Rings of quads between two circles, each turned so far against the one inside it that all quads are inverted. To turn

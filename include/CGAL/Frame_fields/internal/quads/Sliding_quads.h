@@ -54,9 +54,9 @@ public:
                 const Feature_network& network, const double arc_tolerance = 0)
     : m_complex(complex), m_walker(surface, embedding), m_arc_points(embedding, network)
     , m_arc_order(complex, network, m_arc_points), m_arc_tolerance(arc_tolerance)
-    , m_is_released(network.arcs.size(), false), m_normals(complex, surface, embedding, network, m_walker)
+    , m_normals(complex, surface, embedding, network, m_walker)
   {
-    std::copy(complex.has_free_bends.begin(), complex.has_free_bends.end(), m_is_released.begin());
+    complex.has_free_bends.resize(network.arcs.size(), false);
     collect_corners();
     for(const Quad_vertex& v : complex.vertices)
       m_point.push_back(m_walker.point(v.location));
@@ -82,7 +82,7 @@ public:
     if(v.vertex < 0 || v.arc < 0)
       return false;
     v.vertex = -1;
-    m_is_released[v.arc] = true;
+    m_complex.has_free_bends[v.arc] = true;
     return true;
   }
 
@@ -162,7 +162,7 @@ public:
     slide.location = m_arc_points.location(arc, position);
     slide.length = m_arc_points.length_at(arc, position);
     slide.point = m_walker.point(slide.location);
-    return !m_is_released[arc] || keeps_arc(vertex, range, length, slide.point);
+    return !m_complex.has_free_bends[arc] || keeps_arc(vertex, range, length, slide.point);
   }
 
   // The worst scaled Jacobian and the sum of the distortions of the quads at a vertex.
@@ -279,7 +279,6 @@ private:
   Arc_points m_arc_points;
   Arc_order m_arc_order;
   double m_arc_tolerance;
-  std::vector<char> m_is_released;           // per arc: whether vertices at its bends may slide
   Corner_normals m_normals;
   std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in `m_corner`
   std::vector<Coordinates> m_point;          // per vertex

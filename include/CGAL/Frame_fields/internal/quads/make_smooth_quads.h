@@ -68,9 +68,21 @@ struct Refined_quads
   double arc_tolerance = 0;    // how far their sides may be from the arcs
 };
 
+// Whether no quad of a T-mesh stays inverted once vertices may leave the bends of arcs.
+template <typename ConcurrencyTag>
+bool becomes_valid_without_bends(Refined_quads quads, const Cut_surface& surface, const Surface_embedding& embedding,
+                                 const Feature_network& features)
+{
+  Smoothing_options options = smoothing_through_poor_shapes();
+  options.arc_tolerance = quads.arc_tolerance;
+  return smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, quads.is_filled,
+                                               options).empty();
+}
+
 // Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
-// be raised, or when refinements in vain have made too many quads.
+// be raised, or when refinements in vain have made too many quads. It also stops at the beginning, or after the first
+// refinement in vain, if the quads become valid when they leave the bends of arcs, as this keeps more of their shapes.
 //
 // A refinement is in vain if it leaves more than 3/4 of the least number of inverted quads so far and these are less
 // than a tenth of all quads. Some of these may have to come before one that helps: quads between fixed vertices are
@@ -104,16 +116,18 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
       smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
     const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
-    if(refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least_number_of_inverted)
-      number_of_quads_in_vain += next.complex.quads.size();
-    const bool has_more_room = number_of_quads_in_vain <= maximum_number_of_quads_in_vain && !inverted.empty()
-                               && refinement < maximum_number_of_refinements && maker.refine(next.complex, inverted);
+    const bool is_in_vain = refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least_number_of_inverted;
+    const std::size_t number_of_quads = next.complex.quads.size();
+    const Quad_complex& refined = is_better ? (best = std::move(next)).complex : next.complex;
     if(is_better)
-    {
-      best = std::move(next);
       least_number_of_inverted = inverted.size();
-    }
-    if(!has_more_room)
+    const bool is_first_in_vain = is_in_vain && number_of_quads_in_vain == 0;
+    if(!inverted.empty() && (refinement == 0 || is_first_in_vain)
+       && becomes_valid_without_bends<ConcurrencyTag>(best, surface, embedding, features))
+      return best;
+    number_of_quads_in_vain += is_in_vain ? number_of_quads : 0;
+    if(inverted.empty() || refinement == maximum_number_of_refinements
+       || number_of_quads_in_vain > maximum_number_of_quads_in_vain || !maker.refine(refined, inverted))
       return best;
   }
 }
