@@ -123,10 +123,10 @@ Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embed
       made = std::move(other);
   }
 
+  write_sizes(embedding, request, surface.length_unit * unit, made.statistics); // may throw, so it comes before
   clock.start(Quad_stage::ASSEMBLY);
   output_quads(surface, embedding, made.complex, unit, locate, quad_mesh, np);
   clock.stop();
-  write_sizes(embedding, request, surface.length_unit * unit, made.statistics);
   made.statistics.seconds = clock.seconds();
   write_filled_patches(made.statistics,
                        CGAL::parameters::get_parameter(np, internal::fallback_patch_output_iterator));

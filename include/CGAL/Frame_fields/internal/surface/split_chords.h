@@ -14,10 +14,9 @@
 
 #include <CGAL/Frame_fields/internal/surface/Editable_mesh.h>
 
-#include <CGAL/boost/graph/properties.h>
-
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -31,25 +30,28 @@ template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
 
-  // Marks cost linear time, also where thousands of edges meet; to look around the ends of each edge does not.
-  const auto is_on_constrained_edge = get(CGAL::dynamic_vertex_property_t<int>(), tm);
-  for(const auto v : vertices(tm))
-    put(is_on_constrained_edge, v, 0);
+  // To look around the ends of each edge would take quadratic time where thousands of edges meet.
+  std::vector<vertex_descriptor> on_constrained_edges;
   for(const auto e : edges(tm))
   {
     const halfedge_descriptor h = halfedge(e, tm);
     if(!mesh.is_constrained(h))
       continue;
-    put(is_on_constrained_edge, source(h, tm), 1);
-    put(is_on_constrained_edge, target(h, tm), 1);
+    on_constrained_edges.push_back(source(h, tm));
+    on_constrained_edges.push_back(target(h, tm));
   }
+  std::sort(on_constrained_edges.begin(), on_constrained_edges.end());
+  const auto is_on_constrained_edge = [&](const vertex_descriptor v)
+  {
+    return std::binary_search(on_constrained_edges.begin(), on_constrained_edges.end(), v);
+  };
   std::vector<halfedge_descriptor> chords;
   for(const auto e : edges(tm))
   {
     const halfedge_descriptor h = halfedge(e, tm);
-    if(get(is_on_constrained_edge, source(h, tm)) && get(is_on_constrained_edge, target(h, tm))
-       && !mesh.is_constrained(h))
+    if(!mesh.is_constrained(h) && is_on_constrained_edge(source(h, tm)) && is_on_constrained_edge(target(h, tm)))
       chords.push_back(h);
   }
 
