@@ -611,7 +611,7 @@ std::vector<std::vector<char> > choices_of_patches(const std::size_t number_of_p
   return result;
 }
 
-// The last two have corners so narrow that not all quads of fillings are convex.
+// The last three have corners or loops so narrow that not all quads of fillings are convex.
 std::vector<Model> models_of_several_patches()
 {
   return { cube(), quilt(), torus(), tripod(), loop_of_three_edges(), random_gear(1), random_planar_domain(4) };
@@ -628,7 +628,7 @@ TEST(Quad_meshes_with_filled_patches, fulfil_the_contract)
     {
       const Marked_surface quads = prepared.quads_without_T_mesh(is_without);
       EXPECT_EQ("", Quad_contract(prepared.triangles(), quads).broken_facts());
-      EXPECT_LE(number_of_inverted_quads(quads), m + 2 < models.size() ? 0u : 1u);
+      EXPECT_LE(number_of_inverted_quads(quads), m + 3 < models.size() ? 0u : 1u);
       for(std::size_t p = 0; p < is_without.size(); ++p)
         EXPECT_FALSE(is_without[p] && quads.is_certified[p]);
     }
