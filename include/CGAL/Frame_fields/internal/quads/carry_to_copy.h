@@ -96,8 +96,8 @@ Patch_result result_in_given_mesh(const CutMesh& given_mesh, const Surface_embed
   const int corner = cut_copy.surface().first_corner[result.sector];
   const Surface_location given = location_in_given_mesh(given_embedding, cut_copy, location_on_halfedge(corner, 1));
   const auto nearest = std::max_element(given.barycentric.begin(), given.barycentric.end());
-  const int corner = 3 * given.face + static_cast<int>(nearest - given.barycentric.begin());
-  result.sector = given_mesh.surface().sector[corner];
+  const int given_corner = 3 * given.face + static_cast<int>(nearest - given.barycentric.begin());
+  result.sector = given_mesh.surface().sector[given_corner];
   return result;
 }
 
