@@ -82,7 +82,8 @@ bool becomes_valid_without_bends(Refined_quads quads, const Cut_surface& surface
 // Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
 // be raised, or when refinements in vain have made too many quads. It also stops at the beginning, or after the first
-// refinement in vain, if the quads become valid when they leave the bends of arcs, as this keeps more of their shapes.
+// refinement in vain, if the quads become valid when they leave the bends of arcs, as this keeps more of their shapes;
+// to try this on many quads would take too long.
 //
 // A refinement is in vain if it leaves more than 3/4 of the least number of inverted quads so far and these are less
 // than a tenth of all quads. Some of these may have to come before one that helps: quads between fixed vertices are
@@ -123,6 +124,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
       least_number_of_inverted = inverted.size();
     const bool is_first_in_vain = is_in_vain && number_of_quads_in_vain == 0;
     if(!inverted.empty() && (refinement == 0 || is_first_in_vain)
+       && number_of_quads <= maximum_number_of_quads_in_vain
        && becomes_valid_without_bends<ConcurrencyTag>(best, surface, embedding, features))
       return best;
     number_of_quads_in_vain += is_in_vain ? number_of_quads : 0;

@@ -49,8 +49,9 @@ public:
   // Returns whether it has improved.
   bool run()
   {
-    // Small parts get many steps; large ones are hopeless if a few do not mend them.
-    const int number_of_vertices = static_cast<int>(m_vertices.size()), number_of_rounds = 10;
+    // Small parts get many rounds and steps; large ones are hopeless if a few do not mend them.
+    const int number_of_vertices = static_cast<int>(m_vertices.size());
+    const int number_of_rounds = number_of_vertices <= 10000 ? 10 : 2;
     const int number_of_steps = (std::min)(50, (std::max)(5, 50000 / (std::max)(1, number_of_vertices)));
     const std::pair<int, double> old_score = score();
     Joint_descent descent(m_quads, m_part, m_vertices, m_epsilon, m_local);
