@@ -68,10 +68,11 @@ struct Refined_quads
   double arc_tolerance = 0;    // how far their sides may be from the arcs
 };
 
-// Whether no quad of a T-mesh stays inverted once vertices may leave the bends of arcs.
+// Lets vertices around inverted quads of T-meshes leave the bends of arcs. Returns whether no quad of them stays
+// inverted.
 template <typename ConcurrencyTag>
-bool becomes_valid_without_bends(Refined_quads quads, const Cut_surface& surface, const Surface_embedding& embedding,
-                                 const Feature_network& features)
+bool is_valid_without_bends(Refined_quads& quads, const Cut_surface& surface, const Surface_embedding& embedding,
+                            const Feature_network& features)
 {
   Smoothing_options options = smoothing_through_poor_shapes();
   options.arc_tolerance = quads.arc_tolerance;
@@ -124,9 +125,12 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
       least_number_of_inverted = inverted.size();
     const bool is_first_in_vain = is_in_vain && number_of_quads_in_vain == 0;
     if(!inverted.empty() && (refinement == 0 || is_first_in_vain)
-       && number_of_quads <= maximum_number_of_quads_in_vain
-       && becomes_valid_without_bends<ConcurrencyTag>(best, surface, embedding, features))
-      return best;
+       && number_of_quads <= maximum_number_of_quads_in_vain)
+    {
+      Refined_quads released = best;
+      if(is_valid_without_bends<ConcurrencyTag>(released, surface, embedding, features))
+        return released;
+    }
     number_of_quads_in_vain += is_in_vain ? number_of_quads : 0;
     if(inverted.empty() || refinement == maximum_number_of_refinements
        || number_of_quads_in_vain > maximum_number_of_quads_in_vain || !maker.refine(refined, inverted))
