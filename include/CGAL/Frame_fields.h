@@ -34,6 +34,7 @@
 #include <CGAL/Frame_fields/frame_field_from_vectors.h>
 #include <CGAL/Frame_fields/frame_field_quality.h>
 #include <CGAL/Frame_fields/frame_vectors.h>
+#include <CGAL/Frame_fields/integer_grid_parameterization.h>
 #include <CGAL/Frame_fields/orthogonal_frame_field.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>

@@ -37,7 +37,8 @@
 #define TEST_FRAME_FIELDS_QUAD_STAGES(EXTERN_OR_NOTHING, Concurrency_tag)                                              \
   EXTERN_OR_NOTHING template Quad_complex make_quads<Concurrency_tag>(                                                 \
     const Cut_surface&, const Surface_embedding&, const std::vector<int>&, const Seamless_map&,                        \
-    const Feature_network&, const Quad_request&, const std::vector<int>&, Quad_stage_timer&, Quad_statistics&);        \
+    const Feature_network&, const Quad_request&, const std::vector<int>&, const Eigen_frame_field_solver_traits&,      \
+    Quad_stage_timer&, Quad_statistics&);                                                                              \
   EXTERN_OR_NOTHING template Result make_quads_of_field<Concurrency_tag>(                                              \
     const Cut_surface&, const Surface_embedding&, double, const Quad_request&, const std::vector<double>&,             \
     const Options&, const Eigen_frame_field_solver_traits&, Frame_field&, bool, Quad_stage_timer&, Made_quads&);

@@ -5,6 +5,8 @@
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
+#include <CGAL/Frame_fields/internal/integer_grid/Grid_quad_extraction.h>
+#include <CGAL/Frame_fields/internal/integer_grid/integer_grid_of_patch.h>
 #include <CGAL/Frame_fields/internal/layout/arc_sides.h>
 #include <CGAL/Frame_fields/internal/layout/make_T_mesh.h>
 #include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
@@ -15,11 +17,13 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/Quantized_layout.h>
 #include <CGAL/Frame_fields/internal/quads/fill_patch.h>
+#include <CGAL/Frame_fields/internal/quads/place_on_integer_grids.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/split_triangles.h>
 #include <CGAL/Frame_fields/internal/surface/embed.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
+#include <CGAL/Exact_integer.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/tags.h>
@@ -512,6 +516,45 @@ public:
     return smoothed(complex, is_certified);
   }
 
+  // Makes quads with edges as long as given, over the mean edge length, and the integer-grid maps of all patches with a
+  // T-mesh. Returns how many of these are not certified.
+  int check_integer_grids(const double relative_length) const
+  {
+    std::vector<FF::internal::T_mesh> t_meshes(number_of_patches());
+    for(std::size_t p = 0; p < number_of_patches(); ++p)
+      t_meshes[p] = make_T_mesh(m_surface, m_surface.patches[p], m_index, m_map, m_is_arc_node).mesh;
+    FF::internal::Quad_maker maker(m_surface, m_embedding, m_index, m_features, m_map, t_meshes,
+                                   relative_length * m_length);
+    FF::internal::Quad_complex complex = maker.make();
+    const std::vector<std::vector<int> > edges_of_piece = maker.layout().edges_of_piece();
+    FF::internal::Seamless_map grid_map = m_map;
+    int number_of_maps = 0, number_of_certified = 0;
+    for(std::size_t p = 0; p < number_of_patches(); ++p)
+    {
+      if(t_meshes[p].cells.empty())
+        continue;
+      SCOPED_TRACE("patch " + std::to_string(p));
+      ++number_of_maps;
+      const FF::internal::Patch& patch = m_surface.patches[p];
+      if(FF::internal::integer_grid_map_of_patch(
+           m_surface, static_cast<int>(p), m_index, m_map, t_meshes[p], edges_of_piece[p],
+           FF::internal::fixed_sectors(m_surface, patch, m_index, t_meshes[p]), FF::Eigen_frame_field_solver_traits(),
+           grid_map) != FF::internal::Map_status::CERTIFIED)
+        continue;
+      ++number_of_certified;
+      const std::ptrdiff_t number_of_quads =
+        std::count(complex.patch.begin(), complex.patch.end(), static_cast<int>(p));
+      expect_integer_grid(patch, grid_map, grid_map.fraction_bits[p], number_of_quads);
+    }
+    EXPECT_EQ(number_of_certified, FF::internal::place_on_integer_grids<CGAL::Sequential_tag>(
+                                     m_surface, m_index, m_map, t_meshes, maker,
+                                     std::vector<char>(number_of_patches(), 1), FF::Eigen_frame_field_solver_traits(),
+                                     complex));
+    EXPECT_EQ("", Quad_contract(triangles(), smoothed(complex, std::vector<char>(number_of_patches(), 0)))
+                    .broken_facts());
+    return number_of_maps - number_of_certified;
+  }
+
   // The numbers of edges of all arcs when edges of quads are asked to be as long as given, over the mean edge length.
   std::vector<int> edges_of_arcs(const double relative_length) const
   {
@@ -588,6 +631,84 @@ private:
     return result;
   }
 
+  // What holds of an integer-grid map of so many quads, and of the quads that are extracted from it.
+  void expect_integer_grid(const FF::internal::Patch& patch, const FF::internal::Seamless_map& map,
+                           const int fraction_bits, const std::ptrdiff_t number_of_quads) const
+  {
+    typedef CGAL::Exact_integer Integer;
+    const std::int64_t unit = std::int64_t(1) << fraction_bits;
+    Integer twice_area = 0;
+    for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
+    {
+      const auto edge = [&](const std::vector<std::int64_t>& coordinate, const int k) -> Integer
+      {
+        return Integer(static_cast<double>(coordinate[3 * f + k])) - Integer(static_cast<double>(coordinate[3 * f]));
+      };
+      const Integer determinant = edge(map.u, 1) * edge(map.v, 2) - edge(map.v, 1) * edge(map.u, 2);
+      EXPECT_GT(determinant, 0);
+      twice_area += determinant;
+    }
+    EXPECT_EQ(Integer(2) * Integer(static_cast<double>(number_of_quads)) * Integer(static_cast<double>(unit))
+                * Integer(static_cast<double>(unit)), twice_area);
+
+    for(int e = patch.dual_edges.begin_index; e < patch.dual_edges.end_index; ++e)
+    {
+      std::int64_t u = map.u[m_surface.dual_edges[e].halfedge], v = map.v[m_surface.dual_edges[e].halfedge];
+      for(int k = 0; k < map.quarter_turns[m_surface.dual_edges[e].halfedge]; ++k)
+        u = std::exchange(v, u) * -1;
+      const int behind = FF::internal::previous_of(m_surface.dual_edges[e].opposite);
+      EXPECT_EQ(0, (map.u[behind] - u) % unit);
+      EXPECT_EQ(0, (map.v[behind] - v) % unit);
+    }
+    for(int h = 3 * patch.faces.begin_index; h < 3 * patch.faces.end_index; ++h)
+    {
+      const int s = m_surface.sector[h], before = FF::internal::previous_of(h);
+      const bool is_u_kept = map.u[h] == map.u[before], is_v_kept = map.v[h] == map.v[before];
+      if(m_index[s] != 0 || m_is_arc_node[s])
+      {
+        EXPECT_TRUE(map.u[h] % unit == 0 && map.v[h] % unit == 0);
+      }
+      if(m_surface.is_constrained(h))
+      {
+        EXPECT_TRUE((is_u_kept && map.u[h] % unit == 0) || (is_v_kept && map.v[h] % unit == 0));
+      }
+    }
+    expect_quads_of_grid(patch, map, fraction_bits, number_of_quads);
+  }
+
+  void expect_quads_of_grid(const FF::internal::Patch& patch, const FF::internal::Seamless_map& map,
+                            const int fraction_bits, const std::ptrdiff_t number_of_quads) const
+  {
+    FF::internal::Grid_quads grid;
+    ASSERT_TRUE(FF::internal::Grid_quad_extraction(m_surface, patch, map, fraction_bits).extract(grid));
+    EXPECT_EQ(number_of_quads, static_cast<std::ptrdiff_t>(grid.quads.size()));
+    std::vector<int> number_of_corners(grid.location.size(), 0);
+    std::vector<char> is_on_border(grid.location.size(), 0);
+    std::ptrdiff_t twice_edges = 0;
+    for(std::size_t side = 0; side < grid.opposite.size(); ++side)
+    {
+      const int v = grid.quads[side / 4][side % 4], w = grid.quads[side / 4][(side + 1) % 4];
+      const int opposite = grid.opposite[side];
+      ++number_of_corners[v];
+      twice_edges += opposite < 0 ? 2 : 1;
+      if(opposite < 0)
+      {
+        is_on_border[v] = is_on_border[w] = 1;
+        continue;
+      }
+      EXPECT_TRUE(grid.quads[opposite / 4][opposite % 4] == w && grid.quads[opposite / 4][(opposite + 1) % 4] == v);
+    }
+    for(std::size_t v = 0; v < grid.location.size(); ++v)
+    {
+      const int index = grid.sector[v] >= 0 ? m_index[grid.sector[v]] : 0;
+      EXPECT_EQ((is_on_border[v] ? 2 : 4) - index, number_of_corners[v]);
+    }
+    std::ptrdiff_t characteristic = 2 * patch.faces.size() + 2 * patch.sectors.size();
+    for(int h = 3 * patch.faces.begin_index; h < 3 * patch.faces.end_index; ++h)
+      characteristic -= m_surface.is_constrained(h) ? 2 : 1;
+    EXPECT_EQ(characteristic, 2 * static_cast<std::ptrdiff_t>(grid.location.size() + grid.quads.size()) - twice_edges);
+  }
+
   Cad_mesh<Surface_mesh> m_cad_mesh;
   FF::internal::Cut_surface m_surface;
   FF::internal::Surface_embedding m_embedding;
@@ -631,6 +752,26 @@ TEST(Quad_meshes_with_filled_patches, fulfil_the_contract)
       EXPECT_LE(number_of_inverted_quads(quads), m + 3 < models.size() ? 0u : 1u);
       for(std::size_t p = 0; p < is_without.size(); ++p)
         EXPECT_FALSE(is_without[p] && quads.is_certified[p]);
+    }
+  }
+}
+
+// Where an integer-grid map is certified, its quads are those assembled from the T-mesh. Edges four times as long leave
+// many pieces of T-meshes empty. Random domains have faces with three vertices on one grid line, which allow no map.
+TEST(Integer_grids, have_the_quads_of_the_T_meshes)
+{
+  std::vector<Model> models = models_of_several_patches();
+  const std::size_t number_of_random_models = 4, number_of_others = models.size() - 1; // the last one is random, too
+  for(int seed = 1; seed < static_cast<int>(number_of_random_models); ++seed)
+    models.push_back(random_planar_domain(10 + seed));
+  for(std::size_t m = 0; m < models.size(); ++m)
+  {
+    const Prepared_model prepared(models[m]);
+    for(const double relative_length : { .6, 1., 4. })
+    {
+      SCOPED_TRACE("model " + std::to_string(m) + ", length " + std::to_string(relative_length));
+      const int number_of_uncertified = prepared.check_integer_grids(relative_length);
+      EXPECT_LE(number_of_uncertified, m < number_of_others ? 0 : 2);
     }
   }
 }

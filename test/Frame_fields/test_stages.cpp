@@ -244,6 +244,61 @@ TEST_P(Stages, map_patches_seamlessly)
   });
 }
 
+// An integer-grid map is a seamless map with integers: those of the translations, of irregular vertices and of feature
+// edges are tested on the maps of the quads.
+TEST_P(Stages, map_patches_to_integer_grids)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(GetParam().make());
+  const Surface_mesh& mesh = cad_mesh.mesh;
+  const Maps<Surface_mesh> maps(mesh);
+  ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index,
+                                  cad_mesh.features().matching_map(maps.matching)));
+  const Halfedge_map<Surface_mesh, Point_2> uv_map = get(CGAL::dynamic_halfedge_property_t<Point_2>(), mesh);
+  std::vector<FF::Uncertified_patch<Surface_mesh::Face_index> > uncertified;
+  const FF::Result result = FF::integer_grid_parameterization(
+    mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map,
+    cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified)));
+  ASSERT_TRUE(result) << result.message;
+
+  const Cut cut = cad_mesh.cut();
+  std::vector<Point_2> uv;
+  std::vector<int> index;
+  for_each_halfedge(mesh, [&](const auto h)
+  {
+    uv.push_back(get(uv_map, h));
+    index.push_back(get(maps.index, h));
+  });
+  EXPECT_EQ("", broken_facts_of_map(cut, index_of_sectors(cut, index), uv, uncertified.size()));
+}
+
+// The grid has as many unit squares as there are quads, and both sides of a curve have its number of edges.
+TEST(Integer_grid_parameterization, has_the_quads_of_quad_mesh)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(generated_models().front().make());
+  const Surface_mesh& mesh = cad_mesh.mesh;
+  const Maps<Surface_mesh> maps(mesh);
+  ASSERT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index,
+                                  cad_mesh.features().matching_map(maps.matching)));
+  const auto uv_map = get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), mesh);
+  for(const double number_of_quads : { 40., 300., 2000. })
+  {
+    const auto np = cad_mesh.features().number_of_quads(number_of_quads);
+    Surface_mesh quad_mesh;
+    ASSERT_TRUE(FF::quad_mesh(mesh, maps.alpha, maps.rho, maps.matching, maps.index, quad_mesh, np));
+    ASSERT_TRUE(FF::integer_grid_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map, np));
+    double area = 0;
+    for(const auto f : faces(mesh))
+    {
+      const auto h = halfedge(f, mesh);
+      area += CGAL::area(get(uv_map, prev(h, mesh)), get(uv_map, h), get(uv_map, next(h, mesh)));
+    }
+    EXPECT_NEAR(static_cast<double>(num_faces(quad_mesh)), area, 1e-6);
+  }
+  EXPECT_EQ(FF::ERROR_WRONG_PARAMETER,
+            FF::integer_grid_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index, uv_map,
+                                              cad_mesh.features().target_edge_length(-1.)).error_code);
+}
+
 TEST(Seamless_parameterization, reads_its_parameters)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(generated_models().front().make());

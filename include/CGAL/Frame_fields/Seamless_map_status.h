@@ -28,7 +28,8 @@ enum class Seamless_map_status
   INVERTED_FACE,     ///< A face could not be brought to positive orientation
   REVERSED_EDGE,     ///< A constrained edge could not be brought to run along its branch
   WRONG_CONE,        ///< A sector turns by another angle than its index says, or its index leaves no room for a quad
-  ONE_PAIR_ON_TORUS  ///< The only irregular vertices of a torus are one of three and one of five quads: it has no map
+  ONE_PAIR_ON_TORUS, ///< The only irregular vertices of a torus are one of three and one of five quads: it has no map
+  NO_NUMBERS_OF_EDGES ///< No numbers of edges of quads fit to the seamless map; of integer-grid maps only
 };
 
 /// \ingroup PkgFrame_fieldsRef

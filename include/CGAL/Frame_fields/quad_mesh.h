@@ -14,25 +14,17 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
-#include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
-#include <CGAL/Frame_fields/internal/maps/read_field.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/parameterization/seamless_map_output.h>
-#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
-#include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/quads/read_quad_input.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
-#include <CGAL/Frame_fields/internal/surface/embed.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <utility>
-#include <vector>
 
 /// \file quad_mesh.h
 
@@ -226,37 +218,21 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
   if(const Result result = internal::check_and_cut(options, stage_mesh); !result)
     return result;
   const auto& cut_mesh = stage_mesh.cut_mesh();
-  const internal::Cut_surface& surface = cut_mesh.surface();
-  const internal::Surface_embedding embedding = internal::embed(cut_mesh);
-  internal::Quad_request request;
-  if(const Result result = internal::read_quad_request(cut_mesh, embedding, np, size, request); !result)
+  internal::Quad_input input;
+  if(const Result result = internal::read_quad_input(cut_mesh, alpha_map, skewness_map, matching_map, index_map, np,
+                                                     size, input); !result)
     return result;
 
   clock.start(Quad_stage::FIELD);
-  internal::Frame_field field;
-  std::vector<double> rho;
-  Result result = internal::read_field(cut_mesh, alpha_map, skewness_map, matching_map, field.alpha, rho,
-                                       field.matching);
-  if(result)
-    result = internal::check_skewness(cut_mesh, rho);
-  if(result)
-    result = internal::read_indices(cut_mesh, alpha_map, skewness_map, field.matching, index_map, field.index);
-  if(!result)
-    return result;
-  field.omega.assign(surface.number_of_dual_edges(), 0);
-  field.gamma.reserve(rho.size());
-  for(const double skewness : rho)
-    field.gamma.push_back({ 0, skewness });
-
   const double unit = 1;
   const bool is_field_given = true;
   const auto locate = [&](const internal::Surface_location& location)
   {
     return std::make_pair(cut_mesh.face_descriptors()[location.face], location.barycentric);
   };
-  return internal::quads_of_field<Concurrency_tag>(surface, embedding, unit, request, options,
-                                                   internal::Solver_traits_from<CGAL_NP_CLASS>::get(np), field,
-                                                   is_field_given, locate, clock, quad_mesh, np);
+  return internal::quads_of_field<Concurrency_tag>(cut_mesh.surface(), input.embedding, unit, input.request,
+                                                   options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np),
+                                                   input.field, is_field_given, locate, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields

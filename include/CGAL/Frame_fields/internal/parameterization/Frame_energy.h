@@ -53,6 +53,16 @@ public:
 
   Map_elements(const Cut_surface& surface, const Patch& patch, const Combed_field& field, const Cut_graph& graph,
                const std::vector<double>& target_length, const std::vector<Side_edge>& side_edges)
+    : Map_elements(surface, patch, [&](const int halfedge) { return field.coordinates(halfedge); }, graph.vertex,
+                   [&](const int face) { return target_length[face]; }, side_edges)
+  {}
+
+  // `edge_in_frame` gives the components of a halfedge in the frame of its face, `vertex` is per halfedge of the patch:
+  // the vertex at its target, `target_length` gives the target length of a face.
+  template <typename EdgeInFrame, typename TargetLength>
+  Map_elements(const Cut_surface& surface, const Patch& patch, const EdgeInFrame& edge_in_frame,
+               const std::vector<int>& vertex, const TargetLength& target_length,
+               const std::vector<Side_edge>& side_edges)
   {
     m_faces.reserve(patch.faces.size());
     for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
@@ -60,17 +70,17 @@ public:
       const int first = 3 * (f - patch.faces.begin_index);
       const auto scaled = [&](const int halfedge)
       {
-        const Plane_vector edge = field.coordinates(halfedge);
-        return Plane_vector{ edge.x / target_length[f], edge.y / target_length[f] };
+        const Plane_vector edge = edge_in_frame(halfedge);
+        return Plane_vector{ edge.x / target_length(f), edge.y / target_length(f) };
       };
       m_faces.push_back(element({ scaled(3 * f), scaled(3 * f + 1), scaled(3 * f + 2) },
-                                { graph.vertex[first], graph.vertex[first + 1], graph.vertex[first + 2] }));
+                                { vertex[first], vertex[first + 1], vertex[first + 2] }));
     }
     for(const Side_edge& e : side_edges)
     {
       const int f = face_of(e.halfedge);
       m_sides.push_back({ 2 * e.source + e.growing_coordinate, 2 * e.target + e.growing_coordinate,
-                          e.sign * surface.length[e.halfedge] / target_length[f],
+                          e.sign * surface.length[e.halfedge] / target_length(f),
                           f - patch.faces.begin_index });
     }
   }
@@ -126,10 +136,11 @@ private:
 // The quadratic energy of z: the sum of weight |J - I|^2 over the faces, where J is the differential of x = B z, and of
 // `part_of_sides` weight (growth / length - 1)^2 over the constrained edges. Its minimum solves `matrix()` z =
 // `right_hand_side()`.
+template <typename Basis>
 class Frame_energy
 {
 public:
-  Frame_energy(const Map_elements& elements, const Map_basis& basis) : m_elements(elements), m_basis(basis) {}
+  Frame_energy(const Map_elements& elements, const Basis& basis) : m_elements(elements), m_basis(basis) {}
 
   Hermitian_matrix<double> matrix() const
   {
@@ -209,7 +220,7 @@ private:
   static constexpr double part_of_sides = 0.3;
 
   const Map_elements& m_elements;
-  const Map_basis& m_basis;
+  const Basis& m_basis;
 };
 
 } // namespace internal

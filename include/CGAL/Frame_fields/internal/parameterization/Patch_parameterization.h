@@ -97,7 +97,7 @@ public:
       return Map_status::FORCED_ZERO_SIDE;
     std::copy(m_combing.quarter_turns.begin(), m_combing.quarter_turns.end(),
               map.quarter_turns.begin() + 3 * static_cast<std::ptrdiff_t>(m_patch.faces.begin_index));
-    m_basis.reorder(Frame_energy(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
+    m_basis.reorder(Frame_energy<Map_basis>(m_elements, m_basis).unknowns_in_elimination_order(solver_traits));
     Map_status status = Map_status::SOLVER_FAILED;
     int steps_left = maximum_number_of_steps, first_number_of_faults = 0;
     int least_number_of_faults = (std::numeric_limits<int>::max)(); // after the first attempt
@@ -142,11 +142,11 @@ private:
   bool solve_and_untangle(const SolverTraits& solver_traits, const bool keeps_factorization, std::vector<double>& z,
                           int& steps_left) const
   {
-    const Frame_energy energy(m_elements, m_basis);
+    const Frame_energy<Map_basis> energy(m_elements, m_basis);
     auto solver = solver_traits.real_solver_object();
     if(!factor_and_solve(solver, energy.matrix(), energy.right_hand_side(), z))
       return false;
-    Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
+    Untangler<decltype(solver), Map_basis> untangler(m_elements, m_basis, solver, z);
     if(untangler.is_untangled())
       return true;
     if(keeps_factorization)
@@ -183,9 +183,9 @@ private:
     for(std::size_t f = 0; f < stiffness.size(); ++f)
       elements.stiffen(static_cast<int>(f), stiffness[f]);
     auto solver = solver_traits.real_solver_object();
-    if(!solver.factor(Frame_energy(elements, m_basis).matrix()))
+    if(!solver.factor(Frame_energy<Map_basis>(elements, m_basis).matrix()))
       return false;
-    Untangler<decltype(solver)> untangler(m_elements, m_basis, solver, z);
+    Untangler<decltype(solver), Map_basis> untangler(m_elements, m_basis, solver, z);
     is_untangled = untangler.untangle(steps_of_factorization);
     steps_left -= (std::max)(1, untangler.number_of_steps());
     if(is_untangled)

@@ -13,7 +13,6 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_PARAMETERIZATION_UNTANGLER_H
 
 #include <CGAL/Frame_fields/internal/parameterization/Barrier_energy.h>
-#include <CGAL/Frame_fields/internal/parameterization/Map_basis.h>
 #include <CGAL/Frame_fields/internal/parameterization/Preconditioned_lbfgs.h>
 
 #include <algorithm>
@@ -26,13 +25,14 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Moves a map x = B z until all its faces are positively oriented and all its constrained edges run forward.
-template <typename Solver>
+// Moves a map x = B z, or x = B z + c, until all its faces are positively oriented and all its constrained edges run
+// forward.
+template <typename Solver, typename Basis>
 class Untangler
 {
 public:
   // `solver` holds the factorization of a matrix that approximates the Hessian of the barrier energy.
-  Untangler(const Map_elements& elements, const Map_basis& basis, Solver& solver, std::vector<double>& z)
+  Untangler(const Map_elements& elements, const Basis& basis, Solver& solver, std::vector<double>& z)
     : m_basis(basis), m_energy(elements), m_lbfgs(solver), m_z(z)
   {
     evaluate(m_z, m_value, m_gradient);
@@ -40,6 +40,9 @@ public:
 
   bool is_untangled() const { return m_least > 0; }
   int number_of_steps() const { return m_number_of_steps; }
+
+  // The least determinant of a face, or growth of a constrained edge over its length.
+  double least() const { return m_least; }
 
   // Takes at most `maximum_number_of_steps` steps; returns whether the map is untangled.
   bool untangle(const int maximum_number_of_steps)
@@ -148,7 +151,7 @@ private:
     return false;
   }
 
-  const Map_basis& m_basis;
+  const Basis& m_basis;
   Barrier_energy m_energy;
   Preconditioned_lbfgs<Solver> m_lbfgs;
   std::vector<double>& m_z;

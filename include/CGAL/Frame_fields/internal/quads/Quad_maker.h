@@ -41,6 +41,12 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
+// A vertex of the quads at the vertex of a sector.
+struct Vertex_at_sector
+{
+  int sector, vertex;
+};
+
 // Makes quads from the T-meshes of the patches.
 //
 // Pieces inside patches and on their sides may get no edges, so that tiny ones cost no quads. Then vertices coincide,
@@ -61,6 +67,13 @@ public:
 
   // The numbers of edges with which the next quads are made.
   Quantized_layout& layout() { return m_layout; }
+  const Quantized_layout& layout() const { return m_layout; }
+
+  // The vertices of the complex made last that are at vertices of the T-mesh of a patch and of the triangle mesh.
+  const std::vector<Vertex_at_sector>& vertices_at_sectors(const int patch) const
+  {
+    return m_vertices_at_sectors[patch];
+  }
 
   // The mean length of the sides of the quads, in the unit of `Cut_surface::length`; 0 if there are no quads.
   double mean_length_of_sides(const Quad_complex& complex) const
@@ -84,7 +97,7 @@ public:
       Quad_complex complex;
       if(make_valid(complex))
       {
-        m_number_in_classes = remove_unused_vertices(complex);
+        finish(complex);
         return complex;
       }
       for(const int patch : m_patches_to_give_up)
@@ -147,6 +160,17 @@ private:
     return !find_faults(complex);
   }
 
+  // Takes the vertices that were replaced by others out of the complex.
+  void finish(Quad_complex& complex)
+  {
+    const std::vector<int> representative = m_classes.representatives(static_cast<int>(complex.vertices.size()));
+    m_number_in_classes = remove_unused_vertices(complex);
+    for(std::vector<Vertex_at_sector>& vertices : m_vertices_at_sectors)
+      for(Vertex_at_sector& v : vertices)
+        v.vertex = static_cast<int>(std::lower_bound(m_number_in_classes.begin(), m_number_in_classes.end(),
+                                                     representative[v.vertex]) - m_number_in_classes.begin());
+  }
+
   Quad_complex assemble(const bool fills)
   {
     const std::vector<std::vector<int> > edges_of_piece = m_layout.edges_of_piece();
@@ -159,6 +183,7 @@ private:
     m_classes = Vertex_classes();
     m_origin.clear();
     m_singular_sector.clear();
+    m_vertices_at_sectors.assign(m_t_meshes.size(), {});
     const Placed_arcs placed_arcs = make_arc_vertices(layout, complex);
     const std::vector<std::vector<int> > arcs = arcs_of_patches(m_layout.sides(), m_t_meshes.size());
     for(std::size_t p = 0; p < m_t_meshes.size(); ++p)
@@ -181,20 +206,25 @@ private:
         assembly.fill_cell(m_t_meshes[p].cells[cell]);
         m_origin.resize(complex.quads.size(), { patch, static_cast<int>(cell) });
       }
-      note_singular_vertices(m_t_meshes[p], assembly, complex);
+      note_vertices_at_sectors(patch, assembly, complex);
     }
     m_singular_sector.resize(complex.vertices.size(), -1);
     return complex;
   }
 
-  void note_singular_vertices(const T_mesh& t_mesh, const Patch_assembly& assembly, const Quad_complex& complex)
+  void note_vertices_at_sectors(const int patch, const Patch_assembly& assembly, const Quad_complex& complex)
   {
+    const std::vector<T_mesh_node>& nodes = m_t_meshes[patch].nodes;
     m_singular_sector.resize(complex.vertices.size(), -1);
-    for(std::size_t n = 0; n < t_mesh.nodes.size(); ++n)
+    for(std::size_t n = 0; n < nodes.size(); ++n)
     {
-      const int s = t_mesh.nodes[n].sector;
-      if(s >= 0 && !m_surface.is_constrained_sector(s) && m_index[s] != 0)
-        m_singular_sector[assembly.vertex_of_node(static_cast<int>(n))] = s;
+      const int s = nodes[n].sector;
+      if(s < 0)
+        continue;
+      const int vertex = assembly.vertex_of_node(static_cast<int>(n));
+      m_vertices_at_sectors[patch].push_back({ s, vertex });
+      if(!m_surface.is_constrained_sector(s) && m_index[s] != 0)
+        m_singular_sector[vertex] = s;
     }
   }
 
@@ -352,6 +382,7 @@ private:
   Vertex_classes m_classes;
   std::vector<int> m_number_in_classes; // per vertex of the complex made last
   std::vector<Quad_origin> m_origin;    // per quad
+  std::vector<std::vector<Vertex_at_sector> > m_vertices_at_sectors; // per patch
   std::vector<int> m_singular_sector;   // per vertex: the closed singular sector it is at, -1 if there is none
   std::vector<int> m_patches_to_give_up;
 };

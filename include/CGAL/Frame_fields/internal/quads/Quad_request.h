@@ -84,6 +84,22 @@ inline int read_numbers_of_arcs(const Quad_request& request, const Feature_netwo
   return -1;
 }
 
+// The targets of a request. With sizes, they refer to `surface_with_sizes`, which is set then.
+inline Quad_targets targets_of(const Cut_surface& surface, const Surface_embedding& embedding,
+                               const Quad_request& request, const std::vector<int>& number_of_edges,
+                               Cut_surface& surface_with_sizes)
+{
+  Quad_targets targets;
+  targets.number_of_edges = number_of_edges;
+  if(!request.density.empty())
+  {
+    surface_with_sizes = sized_surface(surface, embedding, request.density);
+    targets.sized_surface = &surface_with_sizes;
+    targets.edge_length = edge_length_of_patches(surface, embedding, request);
+  }
+  return targets;
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
+#include <CGAL/Frame_fields/internal/quads/make_T_meshes.h>
 #include <CGAL/Frame_fields/internal/quads/make_smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/reason_of.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -46,28 +47,6 @@ inline std::size_t number_of_unmet_edge_numbers(const Quad_complex& complex, con
   return result;
 }
 
-// The T-meshes of all patches. Those without one get an empty one; the result says why.
-template <typename ConcurrencyTag>
-std::vector<T_mesh_status> make_T_meshes(const Cut_surface& surface, const Surface_embedding& embedding,
-                                         const std::vector<int>& index, const Seamless_map& map,
-                                         const Feature_network& features, std::vector<T_mesh>& t_meshes)
-{
-  std::vector<char> is_arc_node(surface.number_of_sectors(), 0);
-  for(int s = 0; s < surface.number_of_sectors(); ++s)
-    is_arc_node[s] =
-      surface.is_constrained_sector(s) && features.is_node[embedding.vertex[surface.first_corner[s]]];
-  std::vector<T_mesh_status> status(surface.patches.size());
-  t_meshes.resize(surface.patches.size());
-  for_each_patch<ConcurrencyTag>(surface, [&](const int patch)
-  {
-    T_mesh_result result = make_T_mesh(surface, surface.patches[patch], index, map, is_arc_node);
-    t_meshes[patch] = std::move(result.mesh);
-    status[patch] = result.status;
-    return Patch_result();
-  });
-  return status;
-}
-
 // Writes into the statistics what became of each patch.
 inline void count_patches(const Cut_surface& surface, const Seamless_map& map,
                           const std::vector<T_mesh_status>& t_mesh_status, const Refined_quads& quads,
@@ -92,27 +71,22 @@ inline void count_patches(const Cut_surface& surface, const Seamless_map& map,
 
 // All stages after the map, with lengths in the unit of `Cut_surface::length`. `index` is 4 I per sector.
 // `number_of_edges` is the number wanted on each arc, 0 where it is free, or empty.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename SolverTraits>
 Quad_complex make_quads(const Cut_surface& surface, const Surface_embedding& embedding, const std::vector<int>& index,
                         const Seamless_map& map, const Feature_network& features, const Quad_request& request,
-                        const std::vector<int>& number_of_edges, Quad_stage_timer& clock, Quad_statistics& statistics)
+                        const std::vector<int>& number_of_edges, const SolverTraits& solver_traits,
+                        Quad_stage_timer& clock, Quad_statistics& statistics)
 {
   clock.start(Quad_stage::T_MESH);
   Cut_surface surface_with_sizes;
-  Quad_targets targets;
-  targets.number_of_edges = number_of_edges;
-  if(!request.density.empty())
-  {
-    surface_with_sizes = sized_surface(surface, embedding, request.density);
-    targets.sized_surface = &surface_with_sizes;
-    targets.edge_length = edge_length_of_patches(surface, embedding, request);
-  }
-  const Cut_surface& measured_surface = request.density.empty() ? surface : surface_with_sizes;
+  const Quad_targets targets = targets_of(surface, embedding, request, number_of_edges, surface_with_sizes);
   std::vector<T_mesh> t_meshes;
   const std::vector<T_mesh_status> t_mesh_status =
-    make_T_meshes<ConcurrencyTag>(measured_surface, embedding, index, map, features, t_meshes);
+    make_T_meshes<ConcurrencyTag>(targets.sized_surface != nullptr ? surface_with_sizes : surface, embedding, index,
+                                  map, features, t_meshes);
   Refined_quads quads =
-    make_smooth_quads<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, request, targets, clock);
+    make_smooth_quads<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, request, targets,
+                                      solver_traits, clock);
 
   statistics.number_of_nodes =
     static_cast<std::size_t>(std::count(features.is_node.begin(), features.is_node.end(), char(1)));

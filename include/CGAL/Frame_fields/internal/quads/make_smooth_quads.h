@@ -20,6 +20,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_sized_quads.h>
+#include <CGAL/Frame_fields/internal/quads/place_on_integer_grids.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -80,6 +81,31 @@ bool is_valid_without_bends(Refined_quads& quads, const Cut_surface& surface, co
                                                options).empty();
 }
 
+// Tries another start where quads stay inverted: moves the vertices of their patches to integer-grid maps and smooths
+// there again. Keeps what has fewer inverted quads and returns these.
+template <typename ConcurrencyTag, typename SolverTraits>
+std::vector<int> restart_on_integer_grids(const Cut_surface& surface, const Surface_embedding& embedding,
+                                          const std::vector<int>& index, const Feature_network& features,
+                                          const Seamless_map& map, const std::vector<T_mesh>& t_meshes,
+                                          const Quad_maker& maker, const Smoothing_options& options,
+                                          const SolverTraits& solver_traits, const std::vector<int>& inverted,
+                                          Refined_quads& quads)
+{
+  std::vector<char> has_inverted(t_meshes.size(), 0);
+  for(const int q : inverted)
+    has_inverted[quads.complex.patch[q]] = 1;
+  Quad_complex complex = quads.complex;
+  if(place_on_integer_grids<ConcurrencyTag>(surface, index, map, t_meshes, maker, has_inverted, solver_traits,
+                                            complex) == 0)
+    return inverted;
+  const std::vector<int> still_inverted =
+    smooth_inverted_quads<ConcurrencyTag>(complex, surface, embedding, features, quads.is_filled, options);
+  if(still_inverted.size() >= inverted.size())
+    return inverted;
+  quads.complex = std::move(complex);
+  return still_inverted;
+}
+
 // Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
 // be raised, or when refinements in vain have made too many quads. It also stops at the beginning, or after the first
@@ -90,11 +116,12 @@ bool is_valid_without_bends(Refined_quads& quads, const Cut_surface& surface, co
 // than a tenth of all quads. Some of these may have to come before one that helps: quads between fixed vertices are
 // valid only once they are divided, which happens when their empty pieces have got edges. Returns the quads with the
 // fewest inverted ones.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename SolverTraits>
 Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embedding& embedding,
-                                 const Feature_network& features, const std::vector<T_mesh>& t_meshes,
-                                 const Quad_request& request, const Quad_targets& targets, Quad_maker& maker,
-                                 Quad_stage_timer& clock)
+                                 const std::vector<int>& index, const Feature_network& features,
+                                 const Seamless_map& map, const std::vector<T_mesh>& t_meshes,
+                                 const Quad_request& request, const Quad_targets& targets,
+                                 const SolverTraits& solver_traits, Quad_maker& maker, Quad_stage_timer& clock)
 {
   const int maximum_number_of_refinements = 6;
   const std::size_t maximum_number_of_quads_in_vain = 50000;
@@ -114,8 +141,11 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
     next.arc_tolerance = maker.layout().arc_tolerance() * (least_edge_length / request.edge_length);
     clock.start(Quad_stage::SMOOTHING);
     options.arc_tolerance = next.arc_tolerance;
-    const std::vector<int> inverted =
+    std::vector<int> inverted =
       smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options);
+    if(!inverted.empty())
+      inverted = restart_on_integer_grids<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, maker,
+                                                          options, solver_traits, inverted, next);
     const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
     const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
     const bool is_in_vain = refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least_number_of_inverted;
@@ -139,15 +169,16 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
 }
 
 // Makes quads and smooths them as a whole. `t_meshes` of patches that are filled become empty.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename SolverTraits>
 Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedding& embedding,
                                 const std::vector<int>& index, const Feature_network& features,
                                 const Seamless_map& map, std::vector<T_mesh>& t_meshes, const Quad_request& request,
-                                const Quad_targets& targets, Quad_stage_timer& clock)
+                                const Quad_targets& targets, const SolverTraits& solver_traits, Quad_stage_timer& clock)
 {
   Quad_maker maker(surface, embedding, index, features, map, t_meshes, request.edge_length, targets);
   Refined_quads quads =
-    make_refined_quads<ConcurrencyTag>(surface, embedding, features, t_meshes, request, targets, maker, clock);
+    make_refined_quads<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, request, targets,
+                                       solver_traits, maker, clock);
   Smoothing_options options = smoothing_through_poor_shapes();
   options.arc_tolerance = quads.arc_tolerance;
 

@@ -25,6 +25,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
+#include <CGAL/Frame_fields/internal/quads/arcs_of_request.h>
 #include <CGAL/Frame_fields/internal/quads/make_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -63,19 +64,16 @@ Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& 
   const std::vector<int> cancelled_pairs = compute_seamless_map_and_repair_field<ConcurrencyTag>(
     surface, options, target_length, solver_traits, field, map);
 
-  const Feature_network features = make_feature_network(
-    surface, embedding, feature_nodes(surface, embedding, field.index, request.is_node));
+  Feature_network features;
   std::vector<int> number_of_edges;
-  if(const int h = read_numbers_of_arcs(request, features, number_of_edges); h >= 0)
-    return failure(ERROR_WRONG_PARAMETER,
-                   "number_of_edges_map is " + std::to_string(request.number_of_edges[h]) + " on "
-                   + text_of_edge(embedding, h, surface.length_unit * unit)
-                   + ", but another number on the same curve, or less than 3 on a closed one without node");
+  if(const Result result = arcs_of_request(surface, embedding, unit, field.index, request, features, number_of_edges);
+     !result)
+    return result;
 
   if(!is_field_given)
     write_statistics(surface, options, field, No_stage_clock(), made.statistics.field);
   made.complex = make_quads<ConcurrencyTag>(surface, embedding, field.index, map, features, request, number_of_edges,
-                                            clock, made.statistics);
+                                            solver_traits, clock, made.statistics);
   clock.stop();
   note_cancelled_pairs(cancelled_pairs, made.statistics);
   made.statistics.quality = quality_of(surface, embedding, made.complex, unit);

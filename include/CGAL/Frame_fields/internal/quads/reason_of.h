@@ -31,6 +31,7 @@ inline const char* reason_of(const Map_status status)
     case Map_status::REVERSED_EDGE:     return "a feature edge of the map runs backward";
     case Map_status::WRONG_CONE:        return "a sector of the map does not have the angle of its index";
     case Map_status::ONE_PAIR_ON_TORUS: return "a torus with one pair of irregular vertices has no map";
+    case Map_status::NO_NUMBERS_OF_EDGES: return "no numbers of edges fit to the map";
   }
   return "";
 }
