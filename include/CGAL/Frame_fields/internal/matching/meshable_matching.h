@@ -81,18 +81,16 @@ public:
     }
   }
 
-  // Moves what one sector has above 0 to sectors below 0, as far as there are any. Takes time linear in the number of
-  // sectors of the patch, besides the searches.
+  // Moves what one sector has above 0 to sectors below 0, as far as there are any. May be called for one sector after
+  // another, as no sector gets room that it did not have before. Takes time linear in the number of sectors of the
+  // patch, besides the searches.
   void cancel_with_negative(const int sector)
   {
     for(int node = 0; node < m_graph.number_of_nodes(); ++node)
-    {
-      const int index = m_graph.index(node);
-      m_graph.lower_bound(node) = (std::min)(0, index);
-      m_graph.upper_bound(node) = index < 0 || m_graph.sector(node) == sector ? 0 : index;
-    }
-    for(int node = 0; node < m_graph.number_of_nodes(); ++node)
-      while(m_graph.has_too_much(node) && move_index(node, Flow::OUT)) {}
+      m_graph.upper_bound(node) = (std::max)(0, m_graph.index(node));
+    const int node = m_graph.node_of_sector(sector);
+    m_graph.upper_bound(node) = 0;
+    while(m_graph.has_too_much(node) && move_index(node, Flow::OUT)) {}
   }
 
 private:
