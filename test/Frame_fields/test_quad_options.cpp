@@ -1001,6 +1001,24 @@ TEST(Quad_options, errors_on_the_refined_copy_name_vertices_and_faces_of_the_giv
   EXPECT_EQ(1, number_of_names) << result.message;
 }
 
+// Squares of such lengths are no numbers.
+TEST(Quad_options, edge_lengths_far_beyond_the_model_give_the_coarsest_quads)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Wishes wishes;
+  wishes.length = [](const Point&) { return 1e6; };
+  const Quads coarsest = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(coarsest.result);
+  EXPECT_TRUE(coarsest.fallback_patches.empty());
+  for(const double length : { 1e200, 1e300 })
+  {
+    wishes.length = [=](const Point&) { return length; };
+    const Quads quads = quads_of(cad_mesh, wishes);
+    expect_same(coarsest.mesh, quads.mesh);
+    EXPECT_EQ(length, quads.statistics.target_edge_length);
+  }
+}
+
 TEST(Quad_options, number_of_quads_takes_precedence_over_the_edge_length)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(cube(), true);
