@@ -1015,7 +1015,7 @@ TEST(Quad_options, edge_lengths_far_beyond_the_model_give_the_coarsest_quads)
     wishes.length = [=](const Point&) { return length; };
     const Quads quads = quads_of(cad_mesh, wishes);
     expect_same(coarsest.mesh, quads.mesh);
-    EXPECT_EQ(length, quads.statistics.target_edge_length);
+    EXPECT_DOUBLE_EQ(length, quads.statistics.target_edge_length);
   }
 }
 
