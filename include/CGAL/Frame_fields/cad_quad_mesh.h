@@ -279,7 +279,7 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
   if(result)
     result = copy.cut();
   if(!result)
-    return result;
+    return copy.given_result(result);
 
   clock.start(Quad_stage::FIELD);
   const bool follows_sizes =

@@ -37,6 +37,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -102,10 +103,26 @@ public:
   const Surface_embedding& embedding() const { return m_embedding; }
   const Quad_request& request() const { return m_request; }
 
-  // The result of a stage on the copy, with its sector named in the given mesh.
+  // The result of a stage on the cut copy, with its sector named in the given mesh.
   Result given_result(const Patch_result& result) const
   {
     return to_result(given(), result_in_given_mesh(given(), m_given_embedding, m_copy.cut_mesh(), result));
+  }
+
+  // The result of a step on the copy. Where a face that must be split has no point inside, its parts have an edge of
+  // length zero; then this names the face.
+  Result given_result(const Result& result) const
+  {
+    if(result.error_code == ERROR_ZERO_LENGTH_EDGE)
+      for(int h = 0; h < 2 * static_cast<int>(num_edges(m_mesh)); ++h)
+      {
+        const Working_mesh::Halfedge halfedge(h);
+        if(m_mesh.face(halfedge).value >= 0
+           && m_mesh.points()[source(halfedge, m_mesh).value] == m_mesh.points()[m_mesh.target(halfedge).value])
+          return failure(ERROR_ZERO_LENGTH_EDGE, "there is no room for a vertex in "
+                         + given().description_of_face(m_mesh.origin().face(m_mesh.face(halfedge).value)));
+      }
+    return result;
   }
 
   // The face of the given mesh and the barycentric coordinates there of a location on the copy.
