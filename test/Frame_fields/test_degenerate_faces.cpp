@@ -6,7 +6,9 @@
 
 #include <CGAL/Frame_fields.h>
 
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -132,6 +134,27 @@ TEST(Degenerate_faces, that_are_collinear_get_no_edges_of_length_zero_by_splits)
     EXPECT_GT(num_faces(split.mesh), number_of_faces);
     expect_lengths(split);
   }
+}
+
+// Two squares that share an edge between two consecutive values of `double`.
+TEST(Degenerate_faces, at_a_chord_without_a_point_between_its_ends_leave_it_whole)
+{
+  const double next_to_1 = std::nextafter(1., 2.);
+  const Model model = { { Point(1, 0, 0), Point(next_to_1, 0, 0), Point(1, 1, 0), Point(1, -1, 0) },
+                        { { 0, 1, 2 }, { 1, 0, 3 } }, {} };
+  const bool splits_overconstrained_faces = false;
+  const Cad_mesh<Surface_mesh> cad_mesh(model, splits_overconstrained_faces);
+  Surface_mesh& mesh = const_cast<Surface_mesh&>(cad_mesh.mesh);
+  FF::Refinement_statistics statistics;
+  ASSERT_TRUE(FF::split_chords(mesh, cad_mesh.features().statistics(std::ref(statistics))));
+  EXPECT_EQ(0u, statistics.number_of_splits);
+  EXPECT_EQ(2u, num_faces(mesh));
+
+  ASSERT_TRUE(FF::prepare_for_frame_field(mesh, cad_mesh.features().statistics(std::ref(statistics))));
+  EXPECT_EQ(2u, statistics.number_of_split_faces);
+  for(const auto e : edges(mesh))
+    EXPECT_NE(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
+  EXPECT_EQ("", broken_facts(cad_mesh.cut(), frame_field(cad_mesh)));
 }
 
 // Edges keep a length, since no two points of the grid fall onto one another.

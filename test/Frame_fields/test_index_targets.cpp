@@ -155,6 +155,28 @@ TYPED_TEST(Index_targets, that_do_not_sum_are_refused_by_each_stage)
   }
 }
 
+// Each quarter between the field and its targets takes a search, so a rotation of a million radians must not be undone.
+TYPED_TEST(Index_targets, far_from_the_prescribed_rotation_are_refused)
+{
+  const Cad_mesh<TypeParam> cad_mesh(sphere());
+  std::map<int, int> targets;
+  for(int sector = 0; sector < 8; ++sector)
+    targets[sector] = 1;
+  const Maps<TypeParam> maps(cad_mesh.mesh);
+  const auto np = cad_mesh.features().index_target_map(this->target_map(cad_mesh, cad_mesh.cut(), targets));
+  ASSERT_TRUE(FF::prescribe_rotation(cad_mesh.mesh, maps.omega, np));
+  const auto prescribed = np.prescribed_rotation_map(maps.omega).matching_map(maps.matching);
+  EXPECT_TRUE(FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, prescribed));
+  EXPECT_TRUE(FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, np.matching_map(maps.matching))); // all are 0
+
+  const auto h = halfedge(*faces(cad_mesh.mesh).begin(), cad_mesh.mesh);
+  put(maps.omega, h, 1e6);
+  put(maps.omega, opposite(h, cad_mesh.mesh), -1e6);
+  const FF::Result result = FF::orthogonal_frame_field(cad_mesh.mesh, maps.alpha, prescribed);
+  EXPECT_EQ(FF::ERROR_WRONG_FIELD, result.error_code);
+  EXPECT_NE(std::string::npos, result.message.find("vertex at (")) << result.message;
+}
+
 TYPED_TEST(Index_targets, two_targets_for_one_sector_are_refused)
 {
   const Cad_mesh<TypeParam> cad_mesh(sphere());

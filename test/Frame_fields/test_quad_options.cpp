@@ -1001,6 +1001,37 @@ TEST(Quad_options, errors_on_the_refined_copy_name_vertices_and_faces_of_the_giv
   EXPECT_EQ(1, number_of_names) << result.message;
 }
 
+TEST(Quad_options, faces_without_room_for_a_vertex_are_named)
+{
+  const double next_to_1 = std::nextafter(1., 2.);
+  const Model model = { { Point(1, 1, 0), Point(next_to_1, 1, 0), Point(1, next_to_1, 0) }, { { 0, 1, 2 } }, {} };
+  const Cad_mesh<Surface_mesh> cad_mesh(model, false);
+  Surface_mesh quad_mesh;
+  const FF::Result result = FF::cad_quad_mesh(cad_mesh.mesh, quad_mesh);
+  ASSERT_EQ(FF::ERROR_ZERO_LENGTH_EDGE, result.error_code);
+  EXPECT_NE(std::string::npos, result.message.find("in face 0 of faces(tm), which has a vertex at (1, 1, 0)"))
+    << result.message;
+  EXPECT_TRUE(is_empty(quad_mesh));
+}
+
+// Squares of such lengths are no numbers.
+TEST(Quad_options, edge_lengths_far_beyond_the_model_give_the_coarsest_quads)
+{
+  const Cad_mesh<Surface_mesh> cad_mesh(quilt(), false);
+  Wishes wishes;
+  wishes.length = [](const Point&) { return 1e6; };
+  const Quads coarsest = quads_of(cad_mesh, wishes);
+  ASSERT_TRUE(coarsest.result);
+  EXPECT_TRUE(coarsest.fallback_patches.empty());
+  for(const double length : { 1e200, 1e300 })
+  {
+    wishes.length = [=](const Point&) { return length; };
+    const Quads quads = quads_of(cad_mesh, wishes);
+    expect_same(coarsest.mesh, quads.mesh);
+    EXPECT_DOUBLE_EQ(length, quads.statistics.target_edge_length);
+  }
+}
+
 TEST(Quad_options, number_of_quads_takes_precedence_over_the_edge_length)
 {
   const Cad_mesh<Surface_mesh> cad_mesh(cube(), true);

@@ -12,6 +12,7 @@
 // Integers on bidirected networks against enumeration, and networks whose best integers are known.
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+#include <CGAL/Frame_fields/internal/quantization/Integral_solution.h>
 #include <CGAL/Frame_fields/internal/quantization/Node_multipliers.h>
 #include <CGAL/Frame_fields/internal/quantization/Quantizer.h>
 #include <CGAL/Frame_fields/internal/quantization/group_to_free.h>
@@ -34,6 +35,7 @@ namespace {
 using CGAL::Frame_fields::internal::Bidirected_edge;
 using CGAL::Frame_fields::internal::Bidirected_network;
 using CGAL::Frame_fields::internal::Index_range;
+using CGAL::Frame_fields::internal::Integral_solution;
 using CGAL::Frame_fields::internal::Node_multipliers;
 using CGAL::Frame_fields::internal::Quantization;
 using CGAL::Frame_fields::internal::Quantization_options;
@@ -317,6 +319,28 @@ TEST(Quantization, fixed_numbers_are_kept)
   EXPECT_FALSE(contradiction.is_feasible);
   EXPECT_TRUE(std::count(contradiction.conflicting.begin(), contradiction.conflicting.end(), 5));
   EXPECT_TRUE(std::count(contradiction.conflicting.begin(), contradiction.conflicting.end(), 6));
+}
+
+TEST(Integral_solution, is_found_unless_its_graph_would_be_too_large)
+{
+  Bidirected_network network = grid(6, 6, { 3, 3, 3, 3, 3, 3 }, { 3, 3, 3, 3, 3, 3 });
+  for(std::size_t e = 0; e < network.edges.size(); ++e)
+    network.edges[e].lower_bound = static_cast<int>(e % 5);
+  std::vector<int> value;
+  for(const Bidirected_edge& edge : network.edges)
+    value.push_back(edge.lower_bound);
+  const std::vector<int> old_value = value;
+  EXPECT_FALSE(Integral_solution(network, value).find(100));
+  EXPECT_EQ(value, old_value);
+  EXPECT_TRUE(Integral_solution(network, value).find());
+  for(std::size_t e = 0; e < value.size(); ++e)
+    EXPECT_GE(value[e], network.edges[e].lower_bound);
+  std::vector<int> sum(network.number_of_nodes, 0);
+  for(std::size_t e = 0; e < value.size(); ++e)
+    for(int end = 0; end < 2; ++end)
+      if(network.edges[e].node[end] >= 0)
+        sum[network.edges[e].node[end]] += network.edges[e].sign[end] * value[e];
+  EXPECT_EQ(sum, std::vector<int>(network.number_of_nodes, 0));
 }
 
 TEST(Quantization, edges_on_no_strip_are_named)

@@ -15,33 +15,21 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
-#include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
+#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/maps/bound_sizes.h>
-#include <CGAL/Frame_fields/internal/maps/carry_guidance.h>
-#include <CGAL/Frame_fields/internal/maps/field_maps.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/quads/Quad_request.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
-#include <CGAL/Frame_fields/internal/quads/bound_sizes_of_copy.h>
-#include <CGAL/Frame_fields/internal/quads/carry_to_copy.h>
-#include <CGAL/Frame_fields/internal/quads/metric_of_sizes.h>
-#include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
+#include <CGAL/Frame_fields/internal/quads/Refined_copy.h>
+#include <CGAL/Frame_fields/internal/quads/field_for_quads.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
-#include <CGAL/Frame_fields/internal/quads/read_quad_request.h>
-#include <CGAL/Frame_fields/internal/quads/refine_for_quads.h>
-#include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
-#include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
-#include <CGAL/Frame_fields/internal/surface/Working_mesh.h>
-#include <CGAL/Frame_fields/internal/surface/embed.h>
-#include <CGAL/Frame_fields/internal/surface/working_copy.h>
 #include <CGAL/Frame_fields/parameters.h>
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <utility>
+#include <vector>
 
 /// \file cad_quad_mesh.h
 
@@ -284,66 +272,30 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
     return result;
 
   clock.start(Quad_stage::PREPARATION);
-  internal::Stage_mesh<TriangleMesh, CGAL_NP_CLASS> given_stage_mesh(tm, np);
-  const bool accepts_overconstrained_faces = true;
-  if(const Result result = given_stage_mesh.cut(options, accepts_overconstrained_faces); !result)
-    return result;
-  const auto& given_mesh = given_stage_mesh.cut_mesh();
-  const double given_unit = given_mesh.surface().length_unit;
-  const internal::Surface_embedding given_embedding = internal::embed(given_mesh);
-  internal::Quad_request given_request;
-  if(const Result result = internal::read_quad_request(given_mesh, given_embedding, np, size, given_request); !result)
-    return result;
-  internal::Working_mesh mesh = internal::working_copy(given_mesh.surface(), given_embedding);
-  mesh.density() = given_request.density;
-  const internal::Surface_walker given_walker(given_mesh.surface(), given_embedding);
-  mesh.origin().walk_by(given_walker);
-  const auto prepared = parameters::edge_is_constrained_map(internal::constraint_map(mesh));
-  const bool refines =
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::refine_long_triangles), true);
-  if(refines)
-    internal::refine_for_quads(mesh, prepared, given_mesh.surface(), given_request);
-  if constexpr(internal::has_size_bounds<CGAL_NP_CLASS>)
-    if(const Result result = internal::bound_sizes_of_copy(mesh, prepared, given_mesh.surface(), given_embedding,
-                                                           options, internal::in_unit(bounds, given_unit), refines,
-                                                           given_request); !result)
-      return result;
-  if(const Result result = prepare_for_frame_field(mesh, prepared); !result)
-    return result;
-  typedef typename decltype(parameters::edge_is_constrained_map(internal::constraint_map(mesh)))::Pack Prepared_pack;
-  internal::Stage_mesh<internal::Working_mesh, Prepared_pack> stage_mesh(mesh, prepared);
-  if(const Result result = stage_mesh.cut(options); !result)
-    return result;
-  auto& cut_mesh = stage_mesh.cut_mesh();
-  const internal::Cut_surface& surface = cut_mesh.surface();
-  const internal::Surface_embedding embedding = internal::embed(cut_mesh);
-  internal::Guidance_carrier(given_mesh, given_embedding, cut_mesh).run();
-  const internal::Quad_request request =
-    internal::carry_to_copy(given_request, given_mesh.surface(), given_embedding, cut_mesh, embedding);
+  internal::Refined_copy<TriangleMesh, CGAL_NP_CLASS> copy(tm, np, options);
+  Result result = copy.refine(size, bounds);
+  if(result)
+    result = prepare_for_frame_field(copy.mesh(), copy.parameters_of_mesh());
+  if(result)
+    result = copy.cut();
+  if(!result)
+    return copy.given_result(result);
 
   clock.start(Quad_stage::FIELD);
+  const bool follows_sizes =
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::field_follows_sizes), false);
   internal::Frame_field field;
-  const bool follows_sizes = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal::field_follows_sizes), false) && !request.density.empty();
-  const internal::Cut_surface sized_surface =
-    follows_sizes ? internal::surface_in_metric_of_sizes(surface, embedding, request.density)
-                  : internal::Cut_surface();
-  const internal::Patch_result field_result = internal::compute_frame_field<Concurrency_tag>(
-    follows_sizes ? sized_surface : surface, options, solver_traits, clock, field);
+  const internal::Patch_result field_result = internal::compute_field_for_quads<Concurrency_tag>(
+    copy.surface(), copy.embedding(), follows_sizes ? copy.request().density : std::vector<double>(), options,
+    solver_traits, clock, field);
   if(field_result.error_code != OK)
-    return internal::to_result(given_mesh, internal::result_in_given_mesh(given_mesh, given_embedding, cut_mesh,
-                                                                          field_result));
-  if(follows_sizes)
-    internal::carry_angles(sized_surface, surface, field.alpha);
+    return copy.given_result(field_result);
 
   const bool is_field_given = false;
-  const auto locate = [&](const internal::Surface_location& location)
-  {
-    const internal::Surface_location given = internal::location_in_given_mesh(given_embedding, cut_mesh, location);
-    return std::make_pair(given_mesh.face_descriptors()[given.face], given.barycentric);
-  };
-  return internal::quads_of_field<Concurrency_tag>(surface, embedding, given_unit, request, options, solver_traits,
-                                                   field, is_field_given, locate, clock, quad_mesh, np);
+  const auto locate = [&](const internal::Surface_location& location) { return copy.given_location(location); };
+  return internal::quads_of_field<Concurrency_tag>(copy.surface(), copy.embedding(), copy.given_unit(), copy.request(),
+                                                   options, solver_traits, field, is_field_given, locate, clock,
+                                                   quad_mesh, np);
 }
 
 } // namespace Frame_fields

@@ -150,9 +150,10 @@ a smaller sum. The field does not depend on the number of threads.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
-        `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite, beyond \f$ \pm 10^6 \f$ or not opposite on
-        opposite halfedges, a guiding direction or an index target that cannot be used), `ERROR_POINCARE_HOPF` (index
-        targets that do not sum to the Euler characteristic) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        `ERROR_WRONG_FIELD` (a prescribed rotation that is not finite, beyond \f$ \pm 10^6 \f$, not opposite on
+        opposite halfedges or far from all that the index targets ask for, a guiding direction or an index target that
+        cannot be used), `ERROR_POINCARE_HOPF` (index targets that do not sum to the Euler characteristic) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a hermitian matrix with one row for each face without constrained edge, and
 one solve; up to 100 solves in a patch without any constrained edge.

@@ -26,6 +26,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <vector>
 
 /// \file prepare_for_frame_field.h
@@ -83,8 +84,9 @@ mesh that needs nothing stays as it is.
 
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE` or `ERROR_ZERO_LENGTH_EDGE`. On an error of the mesh as it was given,
-        \c tm is unchanged. Where an edge is so short that its midpoint is one of its ends, the split mesh has an edge
-        of length zero; then `ERROR_ZERO_LENGTH_EDGE` is returned, and \c tm stays split.
+        \c tm is unchanged. Where a face with two constrained edges is so small that rounding leaves no point inside,
+        the split mesh has an edge of length zero; then `ERROR_ZERO_LENGTH_EDGE` is returned, and \c tm stays split.
+        Edges without a point between their ends are not split.
 
 \exception std::bad_alloc if memory is exhausted
 
@@ -131,9 +133,12 @@ Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL:
     if(edges.empty())
       break;
     mesh.reserve_for(edges.size(), 3 * edges.size(), 2 * edges.size());
+    std::size_t number_of_splits = 0;
     for(const halfedge_descriptor h : edges)
-      mesh.split_edge_with_faces(h);
-    statistics.number_of_splits += edges.size();
+      number_of_splits += mesh.split_edge_with_faces(h);
+    if(number_of_splits == 0)
+      break; // they are too short
+    statistics.number_of_splits += number_of_splits;
   }
   internal::give_to_caller(statistics, CGAL::parameters::get_parameter(np, internal::statistics));
   return {};

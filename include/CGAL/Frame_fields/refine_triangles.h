@@ -139,9 +139,8 @@ Result refine_triangles(TriangleMesh& tm, const double maximum_edge_length,
     return result;
 
   Refinement_statistics statistics;
-  const double roundings = 8;
   statistics.flip_tolerance = choose_parameter(get_parameter(np, internal::flip_tolerance),
-                                               roundings * internal::coordinate_rounding(points));
+                                               internal::default_flip_tolerance(points));
   if(!(statistics.flip_tolerance >= 0))
     return internal::failure(ERROR_WRONG_PARAMETER, "flip_tolerance must not be negative");
   const double maximum_number_of_faces = (std::numeric_limits<int>::max)() / 6.;

@@ -165,9 +165,10 @@ indices stay what they are.
 \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_MESH_TOO_LARGE`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_INCONSISTENT_HALFEDGES`,
         `ERROR_NON_FINITE_COORDINATE`, `ERROR_ZERO_LENGTH_EDGE`, `ERROR_OVERCONSTRAINED_FACE`, `ERROR_WRONG_PARAMETER`,
         `ERROR_WRONG_FIELD` (an angle or rotation that is not finite or beyond \f$ \pm 10^6 \f$, a frame that is not
-        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges, a guiding
-        direction or an index target that cannot be used), `ERROR_POINCARE_HOPF` (index targets that do not sum to the
-        Euler characteristic) or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+        aligned with the constrained edge of its face, a map that is not opposite on opposite halfedges, a prescribed
+        rotation far from all that the index targets ask for, a guiding direction or an index target that cannot be
+        used), `ERROR_POINCARE_HOPF` (index targets that do not sum to the Euler characteristic) or
+        `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
 
 For each patch one sparse factorization of a symmetric matrix with one row for each branch pair that is free to turn, at
 most two for each face, and one solve.

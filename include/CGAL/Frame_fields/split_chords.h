@@ -31,7 +31,8 @@ namespace Frame_fields {
 
 splits each chord, that is, each unconstrained edge that joins two vertices on constrained edges, at its midpoint, and
 its two triangles with it. Thin strips of triangles between two constrained curves then have vertices inside, which can
-take the singularities that the sharp corners give up.
+take the singularities that the sharp corners give up. A chord stays if it is so short that rounding leaves no point
+between its ends.
 
 The surface does not change.
 

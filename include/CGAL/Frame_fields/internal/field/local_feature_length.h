@@ -30,31 +30,30 @@ inline bool is_far_from_straight(const Cut_surface& surface, const int sector)
   return std::abs(surface.total_angle[sector] - CGAL_PI) > CGAL_PI / 4;
 }
 
+// The length of the constrained curve that begins with a constrained halfedge and goes on forward or backward. It ends
+// at the first sector that is far from straight, or where it comes back.
+inline double length_to_next_corner(const Cut_surface& surface, const int first, const bool is_forward)
+{
+  double length = 0;
+  int halfedge = first;
+  do
+  {
+    length += surface.length[halfedge];
+    const int neighbor = is_forward ? next_on_border(surface, halfedge) : previous_on_border(surface, halfedge);
+    if(is_far_from_straight(surface, surface.sector[is_forward ? halfedge : neighbor]))
+      break;
+    halfedge = neighbor;
+  } while(halfedge != first);
+  return length;
+}
+
 // Half the length of the shorter one of the two constrained curves that leave a prescribed corner, in the unit of
-// `Cut_surface::length`. A curve ends at the next sector that is far from straight, or where it comes back. Takes time
-// in proportion to the edges of both curves.
+// `Cut_surface::length`. Takes time in proportion to the edges of both curves.
 inline double local_feature_length(const Cut_surface& surface, const int corner)
 {
   const int outgoing = next_of(surface.first_corner[corner]), incoming = previous_on_border(surface, outgoing);
-
-  double length_forward = 0;
-  int halfedge = outgoing;
-  do
-    length_forward += surface.length[halfedge];
-  while(!is_far_from_straight(surface, surface.sector[halfedge])
-        && (halfedge = next_on_border(surface, halfedge)) != outgoing);
-
-  double length_backward = 0;
-  halfedge = incoming;
-  while(true)
-  {
-    length_backward += surface.length[halfedge];
-    const int previous = previous_on_border(surface, halfedge);
-    if(is_far_from_straight(surface, surface.sector[previous]) || previous == incoming)
-      break;
-    halfedge = previous;
-  }
-  return (std::min)(length_forward, length_backward) / 2;
+  return (std::min)(length_to_next_corner(surface, outgoing, true),
+                    length_to_next_corner(surface, incoming, false)) / 2;
 }
 
 } // namespace internal

@@ -125,13 +125,13 @@ Patch_result compute_matching_and_indices(const Cut_surface& surface, const std:
     const Patch& patch = surface.patches[number];
     match_patch(surface, patch, omega, alpha, matching);
     CGAL_assertion(is_nearest_matching(surface, patch, omega, alpha, matching));
-    const Patch_result indices_result = indices_in_patch(surface, patch, alpha, matching, index);
-    if(indices_result.error_code == OK && has_index_targets(surface, patch))
-      repaired[number] = enforce_index_targets(surface, patch, omega, alpha, matching, index);
-    else if(indices_result.error_code == OK && options.repair_matching)
+    Patch_result patch_result = indices_in_patch(surface, patch, alpha, matching, index);
+    if(patch_result.error_code == OK && has_index_targets(surface, patch))
+      patch_result = enforce_index_targets(surface, patch, omega, alpha, matching, index, repaired[number]);
+    else if(patch_result.error_code == OK && options.repair_matching)
       repaired[number] = repair_patch(surface, patch, omega, alpha, matching, index);
-    CGAL_postcondition(indices_result.error_code != OK || has_sum_of_indices(patch, index));
-    return indices_result;
+    CGAL_postcondition(patch_result.error_code != OK || has_sum_of_indices(patch, index));
+    return patch_result;
   });
   for(const std::vector<Repaired_sector>& sectors : repaired)
     repaired_sectors.insert(repaired_sectors.end(), sectors.begin(), sectors.end());

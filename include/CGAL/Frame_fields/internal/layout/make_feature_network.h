@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
+#include <CGAL/Frame_fields/internal/surface/walk_along_border.h>
 
 #include <cstddef>
 #include <vector>
@@ -50,16 +51,6 @@ inline std::vector<char> feature_nodes(const Cut_surface& surface, const Surface
   return is_node;
 }
 
-// The constrained halfedge that follows the constrained halfedge h on the same side. At a dangling end it is the twin
-// of h.
-inline int next_constrained(const Cut_surface& surface, const int h)
-{
-  int next = next_of(h);
-  while(!surface.is_constrained(next))
-    next = next_of(surface.opposite[next]);
-  return next;
-}
-
 // The arc, or the loop, whose first halfedge is `first`.
 inline Feature_arc collect_arc(const Cut_surface& surface, const Surface_embedding& embedding,
                                const std::vector<char>& is_node, const int first)
@@ -71,7 +62,7 @@ inline Feature_arc collect_arc(const Cut_surface& surface, const Surface_embeddi
     arc.halfedges.push_back(h);
     if(is_node[embedding.vertex[h]])
       return arc;
-    h = next_constrained(surface, h);
+    h = next_on_border(surface, h);
   } while(h != first);
   arc.is_loop = true;
   return arc;

@@ -52,6 +52,7 @@ public:
   int& index(const int node) { return m_index[sector(node)]; }
   int index(const int node) const { return m_index[sector(node)]; }
   int sector(const int node) const { return m_patch.sectors.begin_index + node; }
+  int node_of_sector(const int sector) const { return sector - m_patch.sectors.begin_index; }
   bool has_too_much(const int node) const { return index(node) > m_upper_bound[node]; }
   bool has_too_little(const int node) const { return index(node) < m_lower_bound[node]; }
 
@@ -95,7 +96,7 @@ public:
 
 private:
   int local_halfedge(const int halfedge) const { return halfedge - 3 * m_patch.faces.begin_index; }
-  int node_of(const int corner) const { return m_surface.sector[corner] - m_patch.sectors.begin_index; }
+  int node_of(const int corner) const { return node_of_sector(m_surface.sector[corner]); }
   bool is_first(const int halfedge, const int e) const { return m_surface.dual_edges[e].halfedge == halfedge; }
 
   const Cut_surface& m_surface;

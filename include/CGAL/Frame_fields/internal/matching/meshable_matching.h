@@ -12,9 +12,11 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_MATCHING_MESHABLE_MATCHING_H
 #define CGAL_FRAME_FIELDS_INTERNAL_MATCHING_MESHABLE_MATCHING_H
 
+#include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/internal/matching/Convex_flow.h>
 #include <CGAL/Frame_fields/internal/matching/Sector_graph.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/index_target.h>
 
 #include <algorithm>
@@ -79,18 +81,16 @@ public:
     }
   }
 
-  // Moves what one sector has above 0 to sectors below 0, as far as there are any. Takes time linear in the number of
-  // sectors of the patch, besides the searches.
+  // Moves what one sector has above 0 to sectors below 0, as far as there are any. May be called for one sector after
+  // another, as no sector gets room that it did not have before. Takes time linear in the number of sectors of the
+  // patch, besides the searches.
   void cancel_with_negative(const int sector)
   {
     for(int node = 0; node < m_graph.number_of_nodes(); ++node)
-    {
-      const int index = m_graph.index(node);
-      m_graph.lower_bound(node) = (std::min)(0, index);
-      m_graph.upper_bound(node) = index < 0 || m_graph.sector(node) == sector ? 0 : index;
-    }
-    for(int node = 0; node < m_graph.number_of_nodes(); ++node)
-      while(m_graph.has_too_much(node) && move_index(node, Flow::OUT)) {}
+      m_graph.upper_bound(node) = (std::max)(0, m_graph.index(node));
+    const int node = m_graph.node_of_sector(sector);
+    m_graph.upper_bound(node) = 0;
+    while(m_graph.has_too_much(node) && move_index(node, Flow::OUT)) {}
   }
 
 private:
@@ -230,16 +230,52 @@ inline std::vector<Repaired_sector> repair_patch(const Cut_surface& surface, con
   return changed_sectors(patch, rounded_index, index);
 }
 
-// Gives every sector of the patch its target; the targets must sum to what the patch has. Returns the sectors whose
-// index changed.
-inline std::vector<Repaired_sector> enforce_index_targets(const Cut_surface& surface, const Patch& patch,
-                                                          const std::vector<double>& omega,
-                                                          const std::vector<double>& alpha,
-                                                          std::vector<int>& matching, std::vector<int>& index)
+// How far 4 I of a sector is from its target.
+inline long long distance_from_target(const Cut_surface& surface, const std::vector<int>& index, const int sector)
 {
+  return std::abs(static_cast<long long>(index[sector]) - target_of_sector(surface, sector));
+}
+
+// More quarters than the indices of a patch can be away from their targets, together, unless the caller prescribed a
+// rotation that has nothing to do with these.
+//
+// Let n be the number of corners of a sector. Of the r nearest to omega, each differs from it by at most an eighth of a
+// turn, so 4 I differs by at most n / 2 from what omega asks for. If omega meets the targets, that is all; if omega is
+// 0, it asks for 4 I = 4 - 2 angle / pi inside and 2 - 2 angle / pi on constrained edges. All n sum to three times the
+// number of faces and all angles to pi times it, so what is missing sums to at most 3.5 quarters for each face, 4 for
+// each sector, and the targets themselves. The rest is for rotations that are prescribed for a few other indices.
+inline long long most_quarters_from_targets(const Cut_surface& surface, const Patch& patch)
+{
+  long long sum = largest_index_target + 8LL * patch.faces.size() + 8LL * patch.sectors.size();
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+    sum += std::abs(target_of_sector(surface, s));
+  return sum;
+}
+
+// Gives every sector of the patch its target; the targets must sum to what the patch has. Tells which sectors changed.
+// Each move brings two sectors nearer to their targets by a quarter, and each takes a search. So a patch is left as it
+// is that needs more of them than its targets can ask for: returns `ERROR_WRONG_FIELD` with the sector farthest from
+// its target.
+inline Patch_result enforce_index_targets(const Cut_surface& surface, const Patch& patch,
+                                          const std::vector<double>& omega, const std::vector<double>& alpha,
+                                          std::vector<int>& matching, std::vector<int>& index,
+                                          std::vector<Repaired_sector>& repaired_sectors)
+{
+  long long number_of_quarters = 0;
+  int farthest = patch.sectors.begin_index;
+  for(int s = patch.sectors.begin_index; s < patch.sectors.end_index; ++s)
+  {
+    number_of_quarters += distance_from_target(surface, index, s);
+    if(distance_from_target(surface, index, s) > distance_from_target(surface, index, farthest))
+      farthest = s;
+  }
+  if(number_of_quarters > most_quarters_from_targets(surface, patch))
+    return { ERROR_WRONG_FIELD, farthest };
+
   const std::vector<int> rounded_index = index_in_patch(patch, index);
   Meshable_matching(surface, patch, omega, alpha, matching, index).meet_index_targets();
-  return changed_sectors(patch, rounded_index, index);
+  repaired_sectors = changed_sectors(patch, rounded_index, index);
+  return {};
 }
 
 } // namespace internal

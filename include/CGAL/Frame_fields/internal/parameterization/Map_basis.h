@@ -17,11 +17,11 @@
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/parameterization/Zero_side_search.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -104,26 +104,16 @@ private:
       }
   }
 
-  int representative(int coordinate)
-  {
-    while(m_parent[coordinate] != coordinate)
-      coordinate = m_parent[coordinate] = m_parent[m_parent[coordinate]];
-    return coordinate;
-  }
-
   // Merges the coordinates that are constant along a constrained edge into one variable.
   void align()
   {
-    m_parent.resize(m_number_of_coordinates);
-    std::iota(m_parent.begin(), m_parent.end(), 0);
+    Disjoint_sets variables(m_number_of_coordinates);
     for(const Side_edge& e : m_side_edges)
     {
       const int kept = 1 - e.growing_coordinate;
-      const int a = representative(2 * e.source + kept), b = representative(2 * e.target + kept);
-      m_parent[(std::max)(a, b)] = (std::min)(a, b);
+      variables.unite(2 * e.source + kept, 2 * e.target + kept);
     }
-    for(int i = 0; i < m_number_of_coordinates; ++i)
-      m_parent[i] = representative(i);
+    m_variable = variables.representatives();
   }
 
   // The variables are the coordinates and, after them, the translations of the branches of the cut graph.
@@ -136,7 +126,7 @@ private:
   {
     Integer_relations relations(weights());
     for(int coordinate = 0; coordinate < 2; ++coordinate)
-      relations.add({ { m_parent[coordinate], 1 } }); // vertex 0 stays at the origin
+      relations.add({ { m_variable[coordinate], 1 } }); // vertex 0 stays at the origin
     for(std::size_t b = 0; b < m_graph.branches.size() && !relations.has_overflow(); ++b)
     {
       const Index_range& range = m_graph.branches[b].halfedges;
@@ -161,7 +151,7 @@ private:
   {
     std::vector<int> weight(m_number_of_coordinates + 2 * m_graph.branches.size(), 0);
     for(int i = 0; i < m_number_of_coordinates; ++i)
-      ++weight[m_parent[i]];
+      ++weight[m_variable[i]];
     for(std::size_t b = 0; b < m_graph.branches.size(); ++b)
       weight[translation(b, 0)] = weight[translation(b, 1)] = m_graph.branches[b].halfedges.size();
     return weight;
@@ -176,26 +166,26 @@ private:
       // a quarter turn takes (u, v) to (-v, u)
       const int from = 2 * left + (coordinate + turns) % 2;
       const int sign = (coordinate == 0 ? turns == 1 || turns == 2 : turns == 2 || turns == 3) ? -1 : 1;
-      relations.add({ { m_parent[2 * right + coordinate], 1 }, { m_parent[from], -sign },
+      relations.add({ { m_variable[2 * right + coordinate], 1 }, { m_variable[from], -sign },
                       { translation(branch, coordinate), -1 } });
     }
   }
 
   Integer_row length_of(const Side_edge& e) const
   {
-    return { { m_parent[2 * e.target + e.growing_coordinate], e.sign },
-             { m_parent[2 * e.source + e.growing_coordinate], -e.sign } };
+    return { { m_variable[2 * e.target + e.growing_coordinate], e.sign },
+             { m_variable[2 * e.source + e.growing_coordinate], -e.sign } };
   }
 
   void collect_rows(Integer_relations& relations)
   {
     std::vector<Integer_row> row_of(m_number_of_coordinates);
     for(int i = 0; i < m_number_of_coordinates; ++i)
-      if(m_parent[i] == i)
+      if(m_variable[i] == i)
         row_of[i] = relations.reduced({ { i, 1 } });
     std::vector<int> number_of_rows(relations.number_of_variables(), 0);
     for(int i = 0; i < m_number_of_coordinates; ++i)
-      for(const Integer_term& term : row_of[m_parent[i]])
+      for(const Integer_term& term : row_of[m_variable[i]])
         ++number_of_rows[term.variable];
 
     // The unknowns that occur in many rows come last.
@@ -212,7 +202,7 @@ private:
     m_row_begin.assign(1, 0);
     for(int i = 0; i < m_number_of_coordinates; ++i)
     {
-      for(const Integer_term& term : row_of[m_parent[i]])
+      for(const Integer_term& term : row_of[m_variable[i]])
       {
         m_unknown.push_back(number_of[term.variable]);
         m_coefficient.push_back(static_cast<int>(term.coefficient));
@@ -226,7 +216,7 @@ private:
   const std::vector<int>& m_index;
   const Cut_graph& m_graph;
   std::vector<Side_edge> m_side_edges;
-  std::vector<int> m_parent; // per coordinate: the first one that is the same variable
+  std::vector<int> m_variable; // per coordinate: the first one that must have its value
   int m_number_of_coordinates;
   int m_size = 0;
   bool m_has_overflow = false;

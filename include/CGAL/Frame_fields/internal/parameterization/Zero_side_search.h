@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/parameterization/Integer_relations.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/walk_along_border.h>
 
 #include <array>
 #include <cstddef>
@@ -55,7 +56,7 @@ public:
     std::array<int, 2> ends{ { -1, -1 } };
     const auto is_side_zero = [&](const int first) { return is_zero_side(first, length_of, is_zero, ends); };
     for(const Side_edge& e : m_side_edges)
-      if(ends_side(e.halfedge) && is_side_zero(next_along_border(e.halfedge)))
+      if(ends_side(e.halfedge) && is_side_zero(next_on_border(m_surface, e.halfedge)))
         return ends;
     for(const Side_edge& e : m_side_edges)
       if(is_side_zero(e.halfedge)) // of a border without corner
@@ -64,15 +65,6 @@ public:
   }
 
 private:
-  // The constrained edge that follows at the target of one.
-  int next_along_border(const int halfedge) const
-  {
-    int next = next_of(halfedge);
-    while(!m_surface.is_constrained(next))
-      next = next_of(m_surface.opposite[next]);
-    return next;
-  }
-
   bool ends_side(const int halfedge) const { return m_index[m_surface.sector[halfedge]] != 0; }
 
   // Sums the edges from `first` to the end of its side that were not visited before. Returns whether the side or one of
@@ -83,7 +75,7 @@ private:
     Integer_row length;
     bool has_zero_edge = false;
     int last = first;
-    for(int h = first; ; h = next_along_border(h))
+    for(int h = first; ; h = next_on_border(m_surface, h))
     {
       const int place = m_place[h - m_first_halfedge];
       if(m_is_added[place])

@@ -12,6 +12,8 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_VERTEX_CLASSES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_VERTEX_CLASSES_H
 
+#include <CGAL/Frame_fields/internal/surface/Disjoint_sets.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -40,22 +42,10 @@ public:
   {
     m_number_of_vertices = number_of_vertices;
     m_first_place.clear();
-    std::vector<int> parent(number_of_vertices);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int v)
-    {
-      while(parent[v] != v)
-        v = parent[v] = parent[parent[v]];
-      return v;
-    };
+    Disjoint_sets classes(number_of_vertices);
     for(const Link& link : m_links)
-    {
-      const int a = root(link.a), b = root(link.b);
-      parent[(std::max)(a, b)] = (std::min)(a, b);
-    }
-    for(int v = 0; v < number_of_vertices; ++v)
-      parent[v] = root(v);
-    return parent;
+      classes.unite(link.a, link.b);
+    return classes.representatives();
   }
 
   // The unknowns on a shortest chain of links between two vertices of a class, in time linear in the class.

@@ -18,6 +18,7 @@
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_points.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
+#include <CGAL/Frame_fields/internal/surface/walk_along_border.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -65,9 +66,7 @@ inline std::vector<double> arc_points_of_side(const Cut_surface& surface, const 
       double length = static_cast<double>(parametric_length(map, halfedge));
       while(begin + wanted > length)
       {
-        int next = next_of(halfedge);
-        while(!surface.is_constrained(next))
-          next = next_of(surface.opposite[next]);
+        const int next = next_on_border(surface, halfedge);
         if(network.arc[next] != network.arc[halfedge])
           break; // rounding at the end of the arc
         halfedge = next;

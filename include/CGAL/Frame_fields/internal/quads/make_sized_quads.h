@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_SIZED_QUADS_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_MAKE_SIZED_QUADS_H
 
+#include <CGAL/Frame_fields/internal/quads/Arc_bends.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_maker.h>
 
@@ -27,7 +28,7 @@ namespace internal {
 inline Quad_complex make_quads_along_arcs(Quad_maker& maker)
 {
   Quad_complex complex = maker.make();
-  const double tolerance = Quantized_layout::part_of_edge_length * maker.mean_length_of_sides(complex);
+  const double tolerance = Arc_bends::part_of_edge_length * maker.mean_length_of_sides(complex);
   if(maker.layout().arc_tolerance() > 2 * tolerance)
   {
     maker.layout().follow_arcs_within(tolerance);

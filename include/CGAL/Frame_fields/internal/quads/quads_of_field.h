@@ -35,6 +35,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,6 +81,16 @@ Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& 
   return {};
 }
 
+// The sizes for maps, which only have to be in proportion to those wanted. They are not above the length of all edges
+// together, so that no square of a coordinate underflows.
+inline Target_sizes sizes_for_maps(const Cut_surface& surface, const Target_sizes& wanted)
+{
+  Target_sizes result = wanted;
+  result.edge_length =
+    (std::min)(result.edge_length, std::accumulate(surface.length.begin(), surface.length.end(), 0.));
+  return result;
+}
+
 // The lengths that were asked for, in the caller's unit, which is `unit` of those of the request.
 inline void write_sizes(const Surface_embedding& embedding, const Quad_request& request, const double unit,
                         Quad_statistics& statistics)
@@ -108,14 +119,15 @@ Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embed
   Frame_field copied_field;
   if(has_sizes)
     copied_field = field;
+  const Target_sizes sizes = sizes_for_maps(surface, request);
   Made_quads made;
-  if(const Result result = make(edge_length_of_faces(surface, embedding, request), field, made); !result)
+  if(const Result result = make(edge_length_of_faces(surface, embedding, sizes), field, made); !result)
     return result;
   if(has_sizes && made.statistics.quality.number_of_inverted_quads > 0)
   {
     // Maps of one size have rounder cells. The sizes still tell how many edges these get.
     Made_quads other;
-    const std::vector<double> one_length(surface.number_of_faces(), request.edge_length);
+    const std::vector<double> one_length(surface.number_of_faces(), sizes.edge_length);
     const Result result = make(one_length, copied_field, other);
     if(result && other.statistics.quality.number_of_inverted_quads < made.statistics.quality.number_of_inverted_quads)
       made = std::move(other);

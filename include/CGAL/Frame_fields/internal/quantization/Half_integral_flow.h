@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+#include <CGAL/Frame_fields/internal/quantization/Search_front.h>
 #include <CGAL/Frame_fields/internal/quantization/Node_multipliers.h>
 
 #include <algorithm>
@@ -40,8 +41,8 @@ public:
   explicit Half_integral_flow(const Bidirected_network& network, const int number_of_sweeps = 100)
     : m_network(network), m_graph(network), m_lower(network.edges.size()), m_upper(network.edges.size())
     , m_flow(m_graph.number_of_arcs(), 0), m_excess(m_graph.number_of_nodes(), 0)
-    , m_potential(m_graph.number_of_nodes(), 0.), m_distance(m_graph.number_of_nodes())
-    , m_arrival(m_graph.number_of_nodes(), NOT_REACHED), m_last_dead_phase(m_graph.number_of_nodes(), 0)
+    , m_potential(m_graph.number_of_nodes(), 0.), m_front(m_graph.number_of_nodes())
+    , m_last_dead_phase(m_graph.number_of_nodes(), 0)
   {
     const std::vector<double> multiplier = Node_multipliers(network).run(number_of_sweeps);
     for(int node = 0; node < network.number_of_nodes; ++node)
@@ -161,10 +162,6 @@ public:
   }
 
 private:
-  typedef std::pair<double, int> Entry; // reduced distance, node
-
-  enum { NOT_REACHED = -1, START = -2 };
-
   double potential_difference(const int arc) const
   {
     return m_potential[m_graph.tail[arc]] - m_potential[m_graph.head[arc]];
@@ -247,32 +244,24 @@ private:
   // node that lacks a step, none does from the nodes that were reached either, until the phase ends.
   void move_excess(const int source)
   {
-    m_queue.clear();
-    m_reached.clear();
-    reach(source, 0, START);
+    m_front.start(source);
     int end = -1;
-    while(!m_queue.empty() && end < 0)
+    while(!m_front.is_empty() && end < 0)
     {
-      const double distance = m_queue.front().first;
-      const int node = m_queue.front().second;
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
-      m_queue.pop_back();
-      if(distance > m_distance[node])
+      const Search_front::Entry nearest = m_front.pop();
+      if(m_front.is_outdated(nearest))
         continue;
       ++m_work;
-      if(m_excess[node] <= -m_step)
-        end = node;
+      if(m_excess[nearest.node] <= -m_step)
+        end = nearest.node;
       else
-        visit_neighbors(node, distance);
+        visit_neighbors(nearest.node, nearest.distance);
     }
     if(end >= 0)
       augment(source, end);
-    for(const int node : m_reached)
-    {
-      if(end < 0)
+    else
+      for(const int node : m_front.reached())
         m_last_dead_phase[node] = m_phase;
-      m_arrival[node] = NOT_REACHED;
-    }
   }
 
   void visit_neighbors(const int node, const double distance)
@@ -284,33 +273,21 @@ private:
       if(is_forward ? !can_increase(arc) : !can_decrease(arc))
         continue;
       const double cost = (std::max)(0., is_forward ? forward_cost(arc) : backward_cost(arc));
-      reach(is_forward ? m_graph.head[arc] : m_graph.tail[arc], distance + cost, m_graph.incident[place]);
+      m_front.reach(is_forward ? m_graph.head[arc] : m_graph.tail[arc], distance + cost, m_graph.incident[place]);
     }
-  }
-
-  void reach(const int node, const double distance, const int arrival)
-  {
-    if(m_arrival[node] == NOT_REACHED)
-      m_reached.push_back(node);
-    else if(!(distance < m_distance[node]))
-      return;
-    m_arrival[node] = arrival;
-    m_distance[node] = distance;
-    m_queue.emplace_back( distance, node );
-    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
   void augment(const int source, const int end)
   {
     for(int node = end; node != source; )
     {
-      const int arc = m_arrival[node] / 2;
-      const bool is_forward = m_arrival[node] % 2 == 0;
+      const int arc = m_front.arrival(node) / 2;
+      const bool is_forward = m_front.arrival(node) % 2 == 0;
       push(arc, is_forward ? m_step : -m_step);
       node = is_forward ? m_graph.tail[arc] : m_graph.head[arc];
     }
-    for(const int node : m_reached)
-      m_potential[node] += (std::min)(0., m_distance[node] - m_distance[end]);
+    for(const int node : m_front.reached())
+      m_potential[node] += (std::min)(0., m_front.distance(node) - m_front.distance(end));
   }
 
   const Bidirected_network& m_network;
@@ -319,11 +296,9 @@ private:
   std::vector<int> m_flow;               // per arc
   std::vector<std::int64_t> m_excess;    // per node: what arrives less what leaves
   std::vector<double> m_potential;       // per node
-  std::vector<double> m_distance;        // per node
-  std::vector<int> m_arrival;            // per node: the last step of its path, as in Double_cover::incident
+  Search_front m_front;                  // by reduced distances, with steps as in Double_cover::incident
   std::vector<int> m_last_dead_phase;    // per node: the last phase in which no path left it, 0 if there was none
-  std::vector<Entry> m_queue;            // a heap
-  std::vector<int> m_reached, m_sources; // nodes
+  std::vector<int> m_sources;            // nodes
   int m_step = 1;
   int m_phase = 0;
   std::int64_t m_work = 0;

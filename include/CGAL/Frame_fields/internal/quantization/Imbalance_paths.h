@@ -15,11 +15,10 @@
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+#include <CGAL/Frame_fields/internal/quantization/Search_front.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,8 +34,7 @@ public:
   Imbalance_paths(const Bidirected_network& network, const Double_cover& graph, const std::vector<double>& potential,
                   std::vector<int>& value)
     : m_network(network), m_graph(graph), m_potential(potential), m_value(value), m_sum(network.number_of_nodes, 0)
-    , m_distance(graph.number_of_nodes()), m_arrival(graph.number_of_nodes(), NOT_REACHED)
-    , m_change(network.edges.size(), 0), m_is_banned(graph.number_of_arcs(), 0)
+    , m_front(graph.number_of_nodes()), m_change(network.edges.size(), 0), m_is_banned(graph.number_of_arcs(), 0)
   {
     for(std::size_t e = 0; e < network.edges.size(); ++e)
       add_to_sums(static_cast<int>(e), value[e]);
@@ -59,10 +57,6 @@ public:
   }
 
 private:
-  typedef std::pair<double, int> Entry; // distance, node of the double cover
-
-  enum { NOT_REACHED = -1, START = -2 };
-
   void add_to_sums(const int e, const int amount)
   {
     for(int end = 0; end < 2; ++end)
@@ -80,25 +74,19 @@ private:
 
   void join(const int node)
   {
-    m_queue.clear();
-    m_reached.clear();
     const int start = 2 * node + (m_sum[node] > 0 ? 1 : 0);
-    reach(start, 0, START);
+    m_front.start(start);
     int end = -1;
-    while(!m_queue.empty() && end < 0)
+    while(!m_front.is_empty() && end < 0)
     {
-      const Entry entry = m_queue.front();
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
-      m_queue.pop_back();
-      if(entry.second / 2 != node && ends_at(entry.second))
-        end = entry.second;
-      else if(entry.first <= m_distance[entry.second])
-        visit_neighbors(entry.second, entry.first);
+      const Search_front::Entry nearest = m_front.pop();
+      if(nearest.node / 2 != node && ends_at(nearest.node))
+        end = nearest.node;
+      else if(!m_front.is_outdated(nearest))
+        visit_neighbors(nearest.node, nearest.distance);
     }
     if(end >= 0)
       change_values(start, end);
-    for(const int reached : m_reached)
-      m_arrival[reached] = NOT_REACHED;
   }
 
   bool is_within_bounds(const int e, const int value) const
@@ -118,20 +106,8 @@ private:
       const int next = direction > 0 ? m_graph.head[arc] : m_graph.tail[arc];
       const double cost = direction * deviation_slope(m_network.edges[e], m_value[e], direction) + m_potential[copy]
                         - m_potential[next];
-      reach(next, distance + (std::max)(0., cost), m_graph.incident[place]);
+      m_front.reach(next, distance + (std::max)(0., cost), m_graph.incident[place]);
     }
-  }
-
-  void reach(const int copy, const double distance, const int arrival)
-  {
-    if(m_arrival[copy] == NOT_REACHED)
-      m_reached.push_back(copy);
-    else if(!(distance < m_distance[copy]))
-      return;
-    m_arrival[copy] = arrival;
-    m_distance[copy] = distance;
-    m_queue.emplace_back( distance, copy );
-    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
   void change_values(const int start, const int end)
@@ -140,8 +116,8 @@ private:
     int forbidden_arc = -1;
     for(int copy = end; copy != start; )
     {
-      const int arc = m_arrival[copy] / 2, e = arc / 2;
-      const bool is_forward = m_arrival[copy] % 2 == 0;
+      const int arc = m_front.arrival(copy) / 2, e = arc / 2;
+      const bool is_forward = m_front.arrival(copy) % 2 == 0;
       edges.push_back(e);
       m_change[e] += is_forward ? 1 : -1;
       if(!is_within_bounds(e, m_value[e] + m_change[e]))
@@ -170,13 +146,10 @@ private:
   const std::vector<double>& m_potential; // per node of the double cover
   std::vector<int>& m_value;              // per edge
   std::vector<long long> m_sum;           // per node
-  std::vector<double> m_distance;         // per node of the double cover
-  std::vector<int> m_arrival;             // per node: the last step of its path, as in Double_cover::incident
+  Search_front m_front;                   // of nodes of the double cover, with steps as in Double_cover::incident
   std::vector<int> m_change;              // per edge
   std::vector<char> m_is_banned;          // per arc
   std::vector<int> m_banned_arcs;
-  std::vector<Entry> m_queue;             // a heap
-  std::vector<int> m_reached;             // nodes
 };
 
 } // namespace internal

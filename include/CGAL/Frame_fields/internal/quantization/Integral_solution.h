@@ -20,6 +20,7 @@
 #include <boost/graph/max_cardinality_matching.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -39,7 +40,7 @@ namespace internal {
 // nothing improves, there are no integers. The vertex of a free end need not be matched: the graph is taken twice, and
 // the two copies of such a vertex are joined by an edge.
 //
-// A node of degree d adds O(d^2) edges to the graph.
+// A node of degree d adds O(d^2) edges to the graph, so a graph of too many edges is not made.
 class Integral_solution
 {
 public:
@@ -47,14 +48,19 @@ public:
     : m_network(network), m_value(value)
   {}
 
-  // Changes the values until all sums are 0; returns whether that is possible. The values must be within the bounds.
-  bool find()
+  // Changes the values until all sums are 0. Returns whether that is possible with a graph of no more than this number
+  // of edges. The values must be within the bounds.
+  bool find(const std::int64_t maximum_number_of_graph_edges = 10000000)
   {
-    std::int64_t rest = total_imbalance();
+    std::int64_t rest = total_imbalance(m_value);
     while(rest > 0)
     {
+      collect_steps();
+      collect_node_vertices();
+      if(number_of_graph_edges() > maximum_number_of_graph_edges)
+        return false;
       improve();
-      const std::int64_t new_rest = total_imbalance();
+      const std::int64_t new_rest = total_imbalance(m_value);
       if(new_rest >= rest)
         return false;
       rest = new_rest;
@@ -72,20 +78,20 @@ private:
     int first_vertex, number_of_vertices;
   };
 
-  std::vector<std::int64_t> node_sums() const
+  std::vector<std::int64_t> node_sums(const std::vector<int>& value) const
   {
     std::vector<std::int64_t> sum(m_network.number_of_nodes, 0);
     for(std::size_t e = 0; e < m_network.edges.size(); ++e)
       for(int end = 0; end < 2; ++end)
         if(m_network.edges[e].node[end] >= 0)
-          sum[m_network.edges[e].node[end]] += m_network.edges[e].sign[end] * static_cast<std::int64_t>(m_value[e]);
+          sum[m_network.edges[e].node[end]] += m_network.edges[e].sign[end] * static_cast<std::int64_t>(value[e]);
     return sum;
   }
 
-  std::int64_t total_imbalance() const
+  std::int64_t total_imbalance(const std::vector<int>& value) const
   {
     std::int64_t result = 0;
-    for(const std::int64_t sum : node_sums())
+    for(const std::int64_t sum : node_sums(value))
       result += std::abs(sum);
     return result;
   }
@@ -121,7 +127,7 @@ private:
   // Gives each node and each free end of a step a range of vertices after those of the steps.
   void collect_node_vertices()
   {
-    std::vector<std::int64_t> needed = node_sums();
+    std::vector<std::int64_t> needed = node_sums(m_value);
     for(std::int64_t& sum : needed)
       sum = -sum;
     m_free_vertices.assign(m_steps.size(), -1);
@@ -157,10 +163,21 @@ private:
     return { m_first_vertex[node], m_first_vertex[node + 1] };
   }
 
+  // Of both copies, but for one or two edges of each step.
+  std::int64_t number_of_graph_edges() const
+  {
+    std::int64_t result = 0;
+    for(std::size_t i = 0; i < m_steps.size(); ++i)
+      for(int end = 0; end < 2; ++end)
+      {
+        const std::pair<int, int> range = partners(i, end);
+        result += 2 * static_cast<std::int64_t>(range.second - range.first);
+      }
+    return result;
+  }
+
   void improve()
   {
-    collect_steps();
-    collect_node_vertices();
     const std::size_t size = 2 * static_cast<std::size_t>(m_number_of_vertices);
     Graph graph(size);
     std::vector<Vertex> mate(size, boost::graph_traits<Graph>::null_vertex());
@@ -233,24 +250,22 @@ private:
            && mate[first] < static_cast<Vertex>(range.second) + static_cast<Vertex>(offset);
   }
 
+  // The values after the steps that are done according to one copy.
+  std::vector<int> values_of_copy(const std::vector<Vertex>& mate, const int copy) const
+  {
+    std::vector<int> result = m_value;
+    for(std::size_t i = 0; i < m_steps.size(); ++i)
+      if(is_done(i, mate, copy * m_number_of_vertices))
+        result[m_steps[i].edge] += m_steps[i].direction;
+    return result;
+  }
+
   void store_better_copy(const std::vector<Vertex>& mate)
   {
-    const std::vector<int> old_value = m_value;
-    std::vector<int> best_value = m_value;
-    std::int64_t least_imbalance = total_imbalance();
-    for(int copy = 0; copy < 2; ++copy)
-    {
-      m_value = old_value;
-      for(std::size_t i = 0; i < m_steps.size(); ++i)
-        if(is_done(i, mate, copy * m_number_of_vertices))
-          m_value[m_steps[i].edge] += m_steps[i].direction;
-      if(total_imbalance() < least_imbalance)
-      {
-        least_imbalance = total_imbalance();
-        best_value = m_value;
-      }
-    }
-    m_value.swap(best_value);
+    const std::array<std::vector<int>, 2> copies = { values_of_copy(mate, 0), values_of_copy(mate, 1) };
+    for(const std::vector<int>& value : copies)
+      if(total_imbalance(value) < total_imbalance(m_value))
+        m_value = value;
   }
 
   const Bidirected_network& m_network;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
 #include <CGAL/Frame_fields/internal/quantization/Double_cover.h>
+#include <CGAL/Frame_fields/internal/quantization/Search_front.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -34,7 +35,7 @@ public:
   Strip_search(const Bidirected_network& network, const Double_cover& graph, const std::vector<double>& potential,
                std::vector<int>& value)
     : m_network(network), m_graph(graph), m_potential(potential), m_value(value)
-    , m_distance(graph.number_of_nodes()), m_arrival(graph.number_of_nodes(), NOT_REACHED)
+    , m_front(graph.number_of_nodes())
     , m_change(network.edges.size(), 0), m_is_banned(graph.number_of_arcs(), 0)
   {}
 
@@ -58,9 +59,6 @@ public:
 
 private:
   struct Step { int arc, direction; };   // a step of +1 or -1 along an arc
-  typedef std::pair<double, int> Entry;  // distance, node
-
-  enum { NOT_REACHED = -1, START = -2 };
   static constexpr double smallest_gain = 1e-9;
 
   int begin_of(const Step& step) const { return step.direction > 0 ? m_graph.tail[step.arc] : m_graph.head[step.arc]; }
@@ -137,29 +135,22 @@ private:
   std::vector<Step> shortest_strip(const Step& step)
   {
     const int maximum_number_of_visits = 1024, end = begin_of(step);
-    m_queue.clear();
-    m_reached.clear();
-    reach(end_of(step), 0, START);
+    m_front.start(end_of(step));
     bool is_found = false;
-    for(int visit = 0; visit < maximum_number_of_visits && !m_queue.empty() && !is_found; ++visit)
+    for(int visit = 0; visit < maximum_number_of_visits && !m_front.is_empty() && !is_found; ++visit)
     {
-      const double distance = m_queue.front().first;
-      const int node = m_queue.front().second;
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
-      m_queue.pop_back();
-      is_found = node == end;
-      if(!is_found && distance <= m_distance[node])
-        visit_neighbors(node, distance);
+      const Search_front::Entry nearest = m_front.pop();
+      is_found = nearest.node == end;
+      if(!is_found && !m_front.is_outdated(nearest))
+        visit_neighbors(nearest.node, nearest.distance);
     }
     std::vector<Step> result;
     if(is_found)
     {
       result.push_back(step);
-      for(int node = end; m_arrival[node] != START; node = begin_of(result.back()))
-        result.push_back({ m_arrival[node] / 2, m_arrival[node] % 2 == 0 ? 1 : -1 });
+      for(int node = end; node != end_of(step); node = begin_of(result.back()))
+        result.push_back({ m_front.arrival(node) / 2, m_front.arrival(node) % 2 == 0 ? 1 : -1 });
     }
-    for(const int node : m_reached)
-      m_arrival[node] = NOT_REACHED;
     return result;
   }
 
@@ -172,20 +163,8 @@ private:
         continue;
       const double new_distance = distance + (std::max)(0., reduced_cost(step));
       if(new_distance < m_total_gain)
-        reach(end_of(step), new_distance, m_graph.incident[place]);
+        m_front.reach(end_of(step), new_distance, m_graph.incident[place]);
     }
-  }
-
-  void reach(const int node, const double distance, const int arrival)
-  {
-    if(m_arrival[node] == NOT_REACHED)
-      m_reached.push_back(node);
-    else if(!(distance < m_distance[node]))
-      return;
-    m_arrival[node] = arrival;
-    m_distance[node] = distance;
-    m_queue.emplace_back( distance, node );
-    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
   }
 
   bool move_if_it_pays(const std::vector<Step>& strip)
@@ -228,12 +207,9 @@ private:
   const Double_cover& m_graph;
   const std::vector<double>& m_potential; // per node of the double cover
   std::vector<int>& m_value;              // per edge
-  std::vector<double> m_distance;         // per node of the double cover
-  std::vector<int> m_arrival;             // per node: the last step of its path, as in Double_cover::incident
+  Search_front m_front;                   // of nodes of the double cover, with steps as in Double_cover::incident
   std::vector<int> m_change;              // per edge
   std::vector<char> m_is_banned;          // per arc
-  std::vector<Entry> m_queue;             // a heap
-  std::vector<int> m_reached;             // nodes
   double m_total_gain = 0;
 };
 

@@ -13,6 +13,7 @@
 #define CGAL_FRAME_FIELDS_INTERNAL_QUANTIZATION_NETWORK_COMPONENTS_H
 
 #include <CGAL/Frame_fields/internal/quantization/Bidirected_network.h>
+#include <CGAL/Frame_fields/internal/surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,35 +23,6 @@
 namespace CGAL {
 namespace Frame_fields {
 namespace internal {
-
-// Disjoint sets of integers (with path halving).
-class Disjoint_sets
-{
-public:
-  explicit Disjoint_sets(const int size)
-    : m_parent(size)
-  {
-    for(int i = 0; i < size; ++i)
-      m_parent[i] = i;
-  }
-
-  int find(int i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  // The least number of a set stands for it.
-  void unite(const int i, const int j)
-  {
-    const int a = find(i), b = find(j);
-    m_parent[(std::max)(a, b)] = (std::min)(a, b);
-  }
-
-private:
-  std::vector<int> m_parent;
-};
 
 // A part of a network that shares no node with the others.
 struct Network_component

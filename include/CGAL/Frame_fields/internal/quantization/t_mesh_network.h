@@ -34,11 +34,20 @@ namespace internal {
 struct T_mesh_network
 {
   Bidirected_network network;
-  std::vector<int> first_piece;        // per patch: the edge of its piece 0
+  std::vector<int> first_piece;        // per patch: the edge of its piece 0; then the edge after the last piece
   std::vector<Index_range> cell_nodes; // per patch: the nodes of its cells
 
   int edge_of_arc(const int arc) const { return arc; }
   int edge_of_piece(const int patch, const int piece) const { return first_piece[patch] + piece; }
+  bool is_arc(const int edge) const { return edge < first_piece.front(); }
+  bool is_piece(const int edge) const { return edge >= first_piece.front() && edge < first_piece.back(); }
+
+  int patch_of_piece(const int edge) const
+  {
+    // Patches without pieces have the same first edge as the patch after them.
+    const auto after = std::upper_bound(first_piece.begin(), first_piece.end(), edge);
+    return static_cast<int>(after - first_piece.begin()) - 1;
+  }
 };
 
 // What the user wants of the numbers of quads.
@@ -65,6 +74,7 @@ public:
     add_arcs();
     for(std::size_t patch = 0; patch < m_t_meshes.size(); ++patch)
       add_t_mesh(static_cast<int>(patch));
+    m_result.first_piece.push_back(static_cast<int>(m_result.network.edges.size()));
     add_even_arcs();
     return m_result;
   }

@@ -132,17 +132,20 @@ public:
     return to_point;
   }
 
-  // Splits an unconstrained edge, and each of its two triangles in two.
-  void split_edge_with_faces(const halfedge_descriptor h) const
+  // Splits an unconstrained edge, and each of its two triangles in two. Returns false and changes nothing if rounding
+  // leaves no point to split at.
+  bool split_edge_with_faces(const halfedge_descriptor h) const
   {
     Point_3 splitting_point;
     double weight_of_source;
-    find_splitting_point(h, splitting_point, weight_of_source); // if there is none, a later check names the edge
+    if(!find_splitting_point(h, splitting_point, weight_of_source))
+      return false;
     const halfedge_descriptor to_point = split_edge_at(h, splitting_point, weight_of_source);
     mark_unconstrained(to_point);
     mark_unconstrained(h);
     split_face(to_point);
     split_face(opposite(h, m_mesh));
+    return true;
   }
 
 private:

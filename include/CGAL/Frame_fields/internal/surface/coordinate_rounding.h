@@ -59,6 +59,13 @@ inline double coordinate_rounding(const std::vector<Coordinates>& points)
   return std::pow(10., std::floor(std::log10(largest)) + 1 - number_of_digits) / 2;
 }
 
+// How far from a common plane the points of coplanar faces may be, unless the caller says so.
+inline double default_flip_tolerance(const std::vector<Coordinates>& points)
+{
+  const double roundings = 8;
+  return roundings * coordinate_rounding(points);
+}
+
 } // namespace internal
 } // namespace Frame_fields
 } // namespace CGAL

@@ -63,9 +63,8 @@ Refinement_statistics refine_working_copy(Working_mesh& copy, const NamedParamet
   Refinement_statistics statistics;
   if(edges_of_long_faces.empty())
     return statistics;
-  const double roundings = 8; // as `refine_triangles()`
   if(may_flip)
-    statistics.flip_tolerance = roundings * unit * coordinate_rounding(points);
+    statistics.flip_tolerance = unit * default_flip_tolerance(points);
   else
     edges_of_long_faces.clear();
   const Coplanar_flips<Working_mesh, NamedParameters> flips(copy, mesh, 1, may_flip ? statistics.flip_tolerance : -1);

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// Splits the chords at their midpoints: the unconstrained edges with both ends on constrained edges. Returns the number
-// of edges that were split. All faces must be triangles.
+// Splits the chords at their midpoints: the unconstrained edges with both ends on constrained edges. Those that are too
+// short for a point between their ends stay. Returns the number of edges that were split. All faces must be triangles.
 template <typename TriangleMesh, typename NamedParameters>
 std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, NamedParameters>& mesh)
 {
@@ -57,9 +57,10 @@ std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, 
 
   mesh.reserve_for(chords.size(), 3 * chords.size(), 2 * chords.size());
 
+  std::size_t number_of_splits = 0;
   for(const halfedge_descriptor h : chords)
-    mesh.split_edge_with_faces(h);
-  return chords.size();
+    number_of_splits += mesh.split_edge_with_faces(h);
+  return number_of_splits;
 }
 
 } // namespace internal

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Frame_fields {
 namespace internal {
 
-// The constrained halfedge that follows the constrained `halfedge` on the border of its patch. The cost is the number
-// of corners between them.
+// The constrained halfedge that follows the constrained `halfedge` on the border of its patch, at a dangling end the
+// other halfedge of its edge. The cost is the number of corners between them.
 inline int next_on_border(const Cut_surface& surface, const int halfedge)
 {
   return next_of(clockwise_most_corner(surface.opposite, halfedge));
