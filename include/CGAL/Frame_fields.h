@@ -27,6 +27,7 @@
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/T_junctions.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/comb_frame_field.h>

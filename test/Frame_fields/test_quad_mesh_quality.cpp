@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -19,7 +20,6 @@
 #include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 // The figures and the blocks of quad meshes that are a mesh class.
@@ -140,7 +140,7 @@ struct Blocks
   std::vector<FF::Quad_block<Halfedge> > list;
 };
 
-Blocks blocks_of(const Mesh& mesh, const Edge_flags is_constrained, const bool allow_t_junctions)
+Blocks blocks_of(const Mesh& mesh, const Edge_flags is_constrained, const FF::T_junctions t_junctions)
 {
   Mesh copy = mesh;
   const auto block = copy.add_property_map<Face, int>("f:block", -7).first;
@@ -149,7 +149,7 @@ Blocks blocks_of(const Mesh& mesh, const Edge_flags is_constrained, const bool a
   std::size_t number_of_blocks = 0;
   const FF::Result success = FF::quad_mesh_blocks(
     mesh, block, FF::parameters::edge_is_constrained_map(is_constrained)
-                   .allow_t_junctions(allow_t_junctions)
+                   .t_junctions(t_junctions)
                    .edge_is_on_block_border_map(is_border)
                    .block_output_iterator(std::back_inserter(result.list))
                    .number_of_blocks(std::ref(number_of_blocks)));
@@ -163,8 +163,8 @@ Blocks blocks_of(const Mesh& mesh, const Edge_flags is_constrained, const bool a
   return result;
 }
 
-// Walks through all blocks as their documentation says. They must be grids with all of their faces, and the edges on the
-// border those around them.
+// Walks through all blocks as their documentation says. They must be grids with all of their faces, and the edges on
+// the border those around them.
 void expect_grids(const Mesh& mesh, const Edge_flags is_constrained, const Blocks& blocks)
 {
   std::vector<std::size_t> number_of_faces(blocks.list.size(), 0);
@@ -209,9 +209,26 @@ void expect_grids(const Mesh& mesh, const Edge_flags is_constrained, const Block
     }
 }
 
-// The least set of edges with those given, the border and constrained edges in which lines end only where lines go on in
-// all directions. Looks at all vertices until nothing changes.
-std::set<Edge> closed_under_lines(const Mesh& mesh, const Edge_flags is_constrained, std::set<Edge> lines)
+// The sectors around a vertex: for each the halfedges to it between two quads of the sector.
+std::vector<std::vector<Halfedge> > inner_halfedges_of_sectors(const Mesh& mesh, const Edge_flags is_constrained,
+                                                               const Vertex v)
+{
+  std::vector<std::vector<Halfedge> > result;
+  for(const Halfedge first : CGAL::halfedges_around_target(v, mesh))
+    if((is_constrained[mesh.edge(first)] || mesh.is_border(mesh.edge(first))) && !mesh.is_border(first))
+    {
+      result.emplace_back();
+      for(Halfedge h = mesh.opposite(mesh.next(first)); !is_constrained[mesh.edge(h)] && !mesh.is_border(mesh.edge(h));
+          h = mesh.opposite(mesh.next(h)))
+        result.back().push_back(h);
+    }
+  return result;
+}
+
+// The least set of edges with those given, the border and constrained edges in which lines end at constrained edges
+// only; or, if they go on there, only where lines go on in all directions. Looks at all vertices until nothing changes.
+std::set<Edge> closed_under_lines(const Mesh& mesh, const Edge_flags is_constrained, std::set<Edge> lines,
+                                  const bool go_on_at_constrained_edges)
 {
   for(const Edge e : mesh.edges())
     if(is_constrained[e] || mesh.is_border(e))
@@ -221,31 +238,32 @@ std::set<Edge> closed_under_lines(const Mesh& mesh, const Edge_flags is_constrai
     number = lines.size();
     for(const Vertex v : mesh.vertices())
     {
-      std::vector<Halfedge> around;
-      std::vector<std::size_t> fixed, on_line;
-      bool has_border = false;
-      for(const Halfedge h : CGAL::halfedges_around_target(v, mesh))
+      const auto around = CGAL::halfedges_around_target(v, mesh);
+      const std::vector<Halfedge> h(around.begin(), around.end());
+      const std::vector<std::vector<Halfedge> > sectors = inner_halfedges_of_sectors(mesh, is_constrained, v);
+      const auto number_of_lines = std::count_if(h.begin(), h.end(), [&](const Halfedge g)
+                                                 { return lines.count(mesh.edge(g)); });
+      if(sectors.empty() && h.size() == 4)
       {
-        if(is_constrained[mesh.edge(h)] || mesh.is_border(mesh.edge(h)))
-          fixed.push_back(around.size());
-        if(lines.count(mesh.edge(h)))
-          on_line.push_back(around.size());
-        has_border = has_border || mesh.is_border(h);
-        around.push_back(h);
+        for(int i = 0; i < 4; ++i)
+          if(lines.count(mesh.edge(h[i])))
+            lines.insert(mesh.edge(h[(i + 2) % 4]));
       }
-      if(fixed.empty() && around.size() == 4)
+      else if(sectors.empty() || go_on_at_constrained_edges)
       {
-        for(const std::size_t i : on_line)
-          lines.insert(mesh.edge(around[(i + 2) % 4]));
-        continue;
+        // Two constrained edges, two quads or the outside between them, and no other line.
+        const bool has_border = std::any_of(h.begin(), h.end(), [&](const Halfedge g) { return mesh.is_border(g); });
+        const bool is_straight = number_of_lines == 2 && sectors.size() == (has_border ? 1 : 2)
+                              && sectors.front().size() == 1 && sectors.back().size() == 1;
+        if(!is_straight)
+          for(const Halfedge g : h)
+            lines.insert(mesh.edge(g));
       }
-      // Two fixed edges, two quads or the outside between them, and no other line.
-      const bool is_straight = fixed.size() == 2 && on_line.size() == 2
-                            && (has_border ? around.size() == 3
-                                           : around.size() == 4 && fixed[1] - fixed[0] == 2);
-      if(!is_straight)
-        for(const Halfedge h : around)
-          lines.insert(mesh.edge(h));
+      else
+        for(const std::vector<Halfedge>& sector : sectors)
+          if(sector.size() > 1)
+            for(const Halfedge g : sector)
+              lines.insert(mesh.edge(g));
     }
   }
   return lines;
@@ -274,29 +292,42 @@ bool all_have_corners(const Mesh& mesh, const std::set<Edge>& lines)
   return true;
 }
 
-// Checks both kinds of blocks of a mesh, and returns their numbers.
-std::pair<std::size_t, std::size_t> checked_blocks(const Mesh& mesh, const Edge_flags is_constrained)
-{
-  const Blocks whole_sides = blocks_of(mesh, is_constrained, false);
-  const Blocks with_t_junctions = blocks_of(mesh, is_constrained, true);
-  expect_grids(mesh, is_constrained, whole_sides);
-  expect_grids(mesh, is_constrained, with_t_junctions);
+typedef std::array<std::size_t, 3> Counts; // of blocks, by where there may be T-junctions
 
-  EXPECT_EQ(closed_under_lines(mesh, is_constrained, whole_sides.border), whole_sides.border);
-  const std::set<Edge> least = closed_under_lines(mesh, is_constrained, {});
-  if(all_have_corners(mesh, least))
-  {
-    EXPECT_EQ(whole_sides.border, least);
-    EXPECT_TRUE(std::includes(least.begin(), least.end(), with_t_junctions.border.begin(),
-                              with_t_junctions.border.end()));
-    EXPECT_LE(with_t_junctions.list.size(), whole_sides.list.size());
-  }
-  else
-    EXPECT_TRUE(std::includes(whole_sides.border.begin(), whole_sides.border.end(), least.begin(), least.end()));
-  return { whole_sides.list.size(), with_t_junctions.list.size() };
+bool includes(const std::set<Edge>& edges, const std::set<Edge>& part)
+{
+  return std::includes(edges.begin(), edges.end(), part.begin(), part.end());
 }
 
-typedef std::pair<std::size_t, std::size_t> Counts; // of blocks: without T-junctions, with them
+// Checks all kinds of blocks of a mesh, and returns their numbers.
+Counts checked_blocks(const Mesh& mesh, const Edge_flags is_constrained)
+{
+  std::array<Blocks, 3> blocks;
+  Counts counts;
+  for(const FF::T_junctions where :
+      { FF::T_junctions::NONE, FF::T_junctions::ON_CONSTRAINED_EDGES, FF::T_junctions::EVERYWHERE })
+  {
+    const int i = static_cast<int>(where);
+    blocks[i] = blocks_of(mesh, is_constrained, where);
+    expect_grids(mesh, is_constrained, blocks[i]);
+    counts[i] = blocks[i].list.size();
+    if(where == FF::T_junctions::EVERYWHERE)
+      continue;
+    const bool go_on = where == FF::T_junctions::NONE;
+    EXPECT_EQ(closed_under_lines(mesh, is_constrained, blocks[i].border, go_on), blocks[i].border);
+    const std::set<Edge> least = closed_under_lines(mesh, is_constrained, {}, go_on);
+    if(all_have_corners(mesh, least))
+      EXPECT_EQ(blocks[i].border, least);
+    else
+      EXPECT_TRUE(includes(blocks[i].border, least));
+  }
+  if(all_have_corners(mesh, closed_under_lines(mesh, is_constrained, {}, false)))
+  {
+    EXPECT_TRUE(includes(blocks[0].border, blocks[1].border));
+    EXPECT_TRUE(includes(blocks[1].border, blocks[2].border));
+  }
+  return counts;
+}
 
 // A surface of columns x rows quads, closed in one or both directions; the second one after so many steps in the first.
 struct Sheet
@@ -334,10 +365,10 @@ TEST(Quad_mesh_blocks, cube)
   for(const int n : { 1, 5 })
   {
     Cube cube(n, 1);
-    EXPECT_EQ(checked_blocks(cube.mesh, cube.features), Counts(6, 6));
+    EXPECT_EQ(checked_blocks(cube.mesh, cube.features), (Counts{ 6, 6, 6 }));
     for(const Edge e : cube.mesh.edges())
       cube.features[e] = false;
-    EXPECT_EQ(checked_blocks(cube.mesh, cube.features), Counts(6, 6)); // lines run along its edges
+    EXPECT_EQ(checked_blocks(cube.mesh, cube.features), (Counts{ 6, 6, 6 })); // lines run along its edges
   }
 }
 
@@ -345,29 +376,34 @@ TEST(Quad_mesh_blocks, cube)
 TEST(Quad_mesh_blocks, sheets)
 {
   const auto counts = [](const Sheet& sheet) { return checked_blocks(sheet.mesh, sheet.is_constrained); };
-  EXPECT_EQ(counts(Sheet(7, 4, false, false)), Counts(1, 1));
-  EXPECT_EQ(counts(Sheet(7, 4, true, false)), Counts(1, 1));
-  EXPECT_EQ(counts(Sheet(7, 4, true, true)), Counts(1, 1));
+  EXPECT_EQ(counts(Sheet(7, 4, false, false)), (Counts{ 1, 1, 1 }));
+  EXPECT_EQ(counts(Sheet(7, 4, true, false)), (Counts{ 1, 1, 1 }));
+  EXPECT_EQ(counts(Sheet(7, 4, true, true)), (Counts{ 1, 1, 1 }));
   // Lines that close after three turns.
-  EXPECT_EQ(counts(Sheet(9, 4, true, true, 3)).first, 3u);
+  EXPECT_EQ(counts(Sheet(9, 4, true, true, 3))[0], 3u);
   // Rings between constrained circles: a line across one goes on across the others.
   Sheet rings(6, 5, true, false);
   for(int i = 0; i < 6; ++i)
     for(const int j : { 1, 3 })
       rings.constrain(6 * j + i, 6 * j + (i + 1) % 6);
-  EXPECT_EQ(counts(rings), Counts(3, 3));
+  EXPECT_EQ(counts(rings), (Counts{ 3, 3, 3 }));
+  // A ring beside a notched one, from which lines go on only if blocks meet along whole sides.
+  Sheet notched(6, 4, true, false, 0, [](const int i, const int j) { return i == 3 && j == 0; });
+  for(int i = 0; i < 6; ++i)
+    notched.constrain(6 * 2 + i, 6 * 2 + (i + 1) % 6);
+  EXPECT_EQ(counts(notched), (Counts{ 5, 4, 4 }));
   const auto is_in_middle = [](const int i, const int j) { return i >= 2 && i < 5 && j >= 2 && j < 4; };
-  EXPECT_EQ(counts(Sheet(7, 6, false, false, 0, is_in_middle)), Counts(8, 8));
+  EXPECT_EQ(counts(Sheet(7, 6, false, false, 0, is_in_middle)), (Counts{ 8, 8, 8 }));
   // The lines of two corners cross twice. With T-junctions, one of them ends each time.
   const auto is_outside = [](const int i, const int j) { return (i < 2 && j < 2) || (i >= 4 && j >= 4); };
-  EXPECT_EQ(counts(Sheet(6, 6, false, false, 0, is_outside)), Counts(7, 5));
+  EXPECT_EQ(counts(Sheet(6, 6, false, false, 0, is_outside)), (Counts{ 7, 7, 5 }));
   // A feature that ends inside.
   Sheet loose(6, 6, false, false);
   loose.constrain(3, 3 + 7);
   loose.constrain(3 + 7, 3 + 14);
-  EXPECT_EQ(counts(loose), Counts(4, 4));
+  EXPECT_EQ(counts(loose), (Counts{ 4, 4, 4 }));
   Mesh none;
-  EXPECT_EQ(checked_blocks(none, none.add_property_map<Edge, bool>("e:constrained", false).first), Counts(0, 0));
+  EXPECT_EQ(checked_blocks(none, none.add_property_map<Edge, bool>("e:constrained", false).first), (Counts{ 0, 0, 0 }));
 }
 
 // Vertices that are no nodes but for the number of their sectors: with T-junctions, no lines start there.
@@ -385,7 +421,9 @@ TEST(Quad_mesh_blocks, sectors_of_two_quads)
     const Edge_flags is_constrained = mesh.add_property_map<Edge, bool>("e:constrained", false).first;
     for(int i = 0; i < n; i += 2)
       is_constrained[mesh.edge(mesh.halfedge(v[0], v[1 + 2 * i]))] = true;
-    EXPECT_EQ(checked_blocks(mesh, is_constrained), sectors == 2 ? Counts(2, 2) : Counts(n, sectors));
+    const std::size_t number = sectors;
+    EXPECT_EQ(checked_blocks(mesh, is_constrained),
+              (Counts{ sectors == 2 ? number : 2 * number, number, number }));
   }
 }
 
@@ -393,7 +431,7 @@ TEST(Quad_mesh_blocks, sectors_of_two_quads)
 // faces are divided into three or four quads each, around new irregular vertices.
 TEST(Quad_mesh_blocks, of_random_sheets)
 {
-  std::size_t number_of_blocks = 0, number_with_t_junctions = 0;
+  Counts sums{ 0, 0, 0 };
   for(int seed = 0; seed < 300; ++seed)
   {
     std::mt19937 random(seed);
@@ -440,12 +478,13 @@ TEST(Quad_mesh_blocks, of_random_sheets)
       is_constrained[e] = below(60) < feature;
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Counts counts = checked_blocks(mesh, is_constrained);
-    number_of_blocks += counts.first;
-    number_with_t_junctions += counts.second;
+    for(int i = 0; i < 3; ++i)
+      sums[i] += counts[i];
     if(HasFatalFailure() || HasNonfatalFailure())
       return;
   }
-  EXPECT_LT(number_with_t_junctions, number_of_blocks);
+  EXPECT_LT(sums[1], sums[0]);
+  EXPECT_LT(sums[2], sums[1]);
 }
 
 TEST(Quad_mesh_blocks, of_a_polyhedron_and_without_optional_outputs)

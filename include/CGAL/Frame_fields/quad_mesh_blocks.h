@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_block.h>
+#include <CGAL/Frame_fields/T_junctions.h>
 #include <CGAL/Frame_fields/internal/named_parameters/give_to_caller.h>
 #include <CGAL/Frame_fields/internal/quads/Block_partition.h>
 #include <CGAL/Frame_fields/internal/quads/Face_graph_polygons.h>
@@ -34,11 +35,16 @@ namespace Frame_fields {
 divides a quad mesh into blocks, each a rectangular grid of quads.
 
 Lines start at irregular vertices and at corners of constrained and border edges, and go straight on through the mesh.
-A vertex is irregular if it is on no such edge and has not four quads, or if it is on such edges, unless there are two of
-them with two quads on each side that is not outside. By default, lines cross one another and constrained edges, and
-blocks meet along whole sides: this is the <em>base complex</em>, the coarsest such layout that has all these vertices
-at corners of blocks. With `allow_t_junctions`, a line ends at constrained edges and where another one has been before,
-as in a motorcycle graph. Then there are far fewer blocks, but several can lie along one side of another.
+A vertex is irregular if it is on no such edge and has not four quads, or if it is on such edges, unless it is on two
+of them with two quads on each side that is not outside.
+
+- By default, lines cross one another and constrained edges, and blocks meet along whole sides. This is the <em>base
+  complex</em>, the coarsest such layout that has all these vertices at corners of blocks. Lines may wind around the
+  model many times before they end, so there can be nearly as many blocks as quads.
+- With `T_junctions::ON_CONSTRAINED_EDGES`, lines end at constrained edges, so blocks meet along whole sides inside each
+  patch of the features, and a corner of a block can be anywhere on a feature.
+- With `T_junctions::EVERYWHERE`, a line also ends where another one has been before, as in a motorcycle graph. This
+  gives the fewest blocks. Their quads still fit together, as all are those of one mesh.
 
 Where there is no irregular vertex and no corner, as on a torus or on an annulus between two features, lines start at
 one vertex, so that this is cut into a grid as well. Two sides of such a block lie on each other.
@@ -62,10 +68,10 @@ one vertex, so that this is cut into a grid as well. Two sides of such a block l
     \cgalParamDefault{a constant property map returning `false` for any edge}
     \cgalParamExtra{`cad_quad_mesh()` writes it by its parameter `output_edge_is_constrained_map`.}
   \cgalParamNEnd
-  \cgalParamNBegin{allow_t_junctions}
-    \cgalParamDescription{whether a corner of a block may lie inside a side of another one}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
+  \cgalParamNBegin{t_junctions}
+    \cgalParamDescription{where a corner of a block may lie inside a side of another one}
+    \cgalParamType{`T_junctions`}
+    \cgalParamDefault{`T_junctions::NONE`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `qm`}
@@ -126,7 +132,7 @@ Result quad_mesh_blocks(const QuadMesh& qm, FaceBlockMap face_block_map,
     if(polygons.size(f) != 4)
       return internal::failure(ERROR_NON_QUADRANGULAR_MESH, internal::quad_mesh_face_text(polygons, f));
   const internal::Block_partition partition(
-    polygons, static_cast<bool>(choose_parameter(get_parameter(np, internal::allow_t_junctions), false)));
+    polygons, choose_parameter(get_parameter(np, internal::t_junctions), T_junctions::NONE));
   if(partition.wrong_face() >= 0)
     return internal::failure(ERROR_INCONSISTENT_HALFEDGES,
                              internal::quad_mesh_face_text(polygons, partition.wrong_face()));

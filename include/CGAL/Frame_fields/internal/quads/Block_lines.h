@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_BLOCK_LINES_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_BLOCK_LINES_H
 
+#include <CGAL/Frame_fields/T_junctions.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
 
 #include <cstddef>
@@ -22,22 +23,22 @@ namespace Frame_fields {
 namespace internal {
 
 // The lines that bound the blocks of a quad mesh: borders and constrained edges, and lines that start where the mesh is
-// not regular and go straight on, one edge of each after the other. They end at borders and at constrained edges. If
-// T-junctions are allowed, they also end where another line has been before. Otherwise lines cross, and where one ends,
-// lines start in all other directions, so that blocks meet along whole sides. All corners between lines are convex.
+// not regular and go straight on, one edge of each after the other, to borders and constrained edges. If T-junctions
+// may be everywhere, they also end where another line has been before. If they may be nowhere, lines start in all other
+// directions where one ends, so that blocks meet along whole sides. All corners between lines are convex.
 class Block_lines
 {
 public:
-  Block_lines(const Polygon_mesh& mesh, const bool allows_t_junctions)
+  Block_lines(const Polygon_mesh& mesh, const T_junctions t_junctions)
     : m_mesh(mesh)
-    , m_allows_t_junctions(allows_t_junctions)
+    , m_t_junctions(t_junctions)
     , m_is_line(mesh.vertex.size())
     , m_kind(mesh.point.size(), Kind::INNER)
   {
     for(int c = 0; c < mesh.number_of_corners(); ++c)
       m_is_line[c] = !mesh.is_inner(c);
     read_sectors();
-    if(!allows_t_junctions)
+    if(t_junctions == T_junctions::NONE)
       for(int c = 0; c < mesh.number_of_corners(); ++c)
         if(m_kind[mesh.vertex[c]] == Kind::NODE)
           start(c);
@@ -49,11 +50,12 @@ public:
   // Whether the corner is one of a block.
   bool is_corner(const int c) const { return m_is_line[c] && m_is_line[m_mesh.previous(c)]; }
 
-  // Cuts a component between lines that has no corner, and is therefore an annulus or a torus: an annulus from the
-  // vertex of `c`, whose side is on its border, to the other border, and a torus at the vertex of `c`.
+  // Cuts a component between lines that has no corner. It is a torus, and is cut in all directions from the vertex of
+  // `c`, or an annulus between constrained edges or borders, and is cut from the vertex of `c`, whose side is on one.
+  // Other lines do not bound it: where one starts, the next one in the same sector is on the other side.
   void cut(const int c)
   {
-    if(m_allows_t_junctions && m_is_line[c])
+    if(m_is_line[c] && m_t_junctions != T_junctions::NONE)
       start(m_mesh.opposite[m_mesh.previous(c)]);
     else
       start_around(c);
@@ -65,11 +67,11 @@ private:
   {
     INNER, // in four quads and on no constrained edge
     SIDE,  // on two edges that are constrained or at the border and have two quads on each side that is not outside; if
-           // T-junctions are allowed, also where a line has been
+           // T-junctions may be everywhere, also where a line has been
     NODE   // all others
   };
 
-  // Finds the kinds of vertices. If T-junctions are allowed, starts lines in irregular sectors.
+  // Finds the kinds of vertices. Where there may be T-junctions, lines start in irregular sectors only.
   void read_sectors()
   {
     std::vector<char> is_visited(m_mesh.vertex.size(), false);
@@ -84,7 +86,7 @@ private:
         Kind& kind = m_kind[m_mesh.vertex[c]];
         kind = !is_regular || kind == Kind::NODE ? Kind::NODE : is_closed ? Kind::INNER : Kind::SIDE;
         number_of_parts[m_mesh.vertex[c]] += is_closed || is_beside_gap ? 2 : 1;
-        if(m_allows_t_junctions && !is_regular)
+        if(m_t_junctions != T_junctions::NONE && !is_regular)
           for(const int corner : sector)
             start(corner);
       }
@@ -138,10 +140,10 @@ private:
       if(kind == Kind::INNER)
       {
         m_next.push_back(m_mesh.next(m_mesh.opposite[end]));
-        if(m_allows_t_junctions)
+        if(m_t_junctions == T_junctions::EVERYWHERE)
           kind = Kind::SIDE;
       }
-      else if(kind == Kind::SIDE && !m_allows_t_junctions)
+      else if(kind == Kind::SIDE && m_t_junctions == T_junctions::NONE)
       {
         kind = Kind::NODE;
         start_around(end);
@@ -151,7 +153,7 @@ private:
   }
 
   const Polygon_mesh& m_mesh;
-  bool m_allows_t_junctions;
+  T_junctions m_t_junctions;
   std::vector<char> m_is_line;   // per corner
   std::vector<Kind> m_kind;      // per vertex
   std::vector<int> m_next;       // corners whose sides are the next ones of lines, in the order of their turns

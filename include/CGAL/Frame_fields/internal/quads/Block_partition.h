@@ -12,6 +12,7 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_QUADS_BLOCK_PARTITION_H
 #define CGAL_FRAME_FIELDS_INTERNAL_QUADS_BLOCK_PARTITION_H
 
+#include <CGAL/Frame_fields/T_junctions.h>
 #include <CGAL/Frame_fields/internal/quads/Block_lines.h>
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
 
@@ -32,13 +33,13 @@ public:
     int first_face = 0, number_of_faces = 0; // in `m_faces`
     int corner = -1;                         // the first one of a quad that is one of the block
     int number_of_corners = 0;
-    int columns = 0, rows = 0;               // along the side that leaves the corner, and along the one that comes to it
+    int columns = 0, rows = 0;               // along the side that starts at the corner, and along the next one
   };
 
   // All faces must be quads. Takes linear time; a torus or an annulus without a corner takes it once more.
-  Block_partition(const Polygon_mesh& mesh, const bool allows_t_junctions)
+  Block_partition(const Polygon_mesh& mesh, const T_junctions t_junctions)
     : m_mesh(mesh)
-    , m_lines(mesh, allows_t_junctions)
+    , m_lines(mesh, t_junctions)
   {
     do
       find_components();

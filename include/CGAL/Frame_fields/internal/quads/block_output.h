@@ -15,13 +15,15 @@
 #include <CGAL/Frame_fields/Quad_block.h>
 #include <CGAL/Frame_fields/internal/quads/Block_partition.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
+#include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/internal/surface/Coordinates.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
