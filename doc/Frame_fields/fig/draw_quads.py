@@ -17,7 +17,7 @@ import tempfile
 
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 # It adds the folder of the renderers to the path.
 from draw_fields import FLANGE, LABEL_SIZE, draw, from_side, render  # noqa: E402
@@ -26,7 +26,10 @@ import planar_models as planar  # noqa: E402
 import render_quad_mesh as render_quads  # noqa: E402
 from seamless_maps import SeamlessMap  # noqa: E402
 
-FILLED, LAYOUT = (0.98, 0.80, 0.45), (0.85, 0.25, 0.05)
+FILLED, LAYOUT, BORDER = (0.98, 0.80, 0.45), (0.85, 0.25, 0.05), (0.15, 0.20, 0.30)
+BLOCKS = ((0.70, 0.82, 0.94), (0.98, 0.85, 0.70), (0.78, 0.91, 0.75), (0.90, 0.80, 0.93), (0.98, 0.93, 0.68),
+          (0.75, 0.91, 0.91), (0.95, 0.78, 0.80), (0.86, 0.86, 0.86), (0.85, 0.90, 0.65), (0.80, 0.78, 0.92),
+          (0.92, 0.86, 0.78))
 
 
 class Panel:
@@ -44,6 +47,27 @@ class Panel:
         label = render.text(self.label, size[0] / 2, 6, LABEL_SIZE)
         label.GetTextProperty().SetJustificationToCentered()
         result.AddActor2D(label)
+        return result
+
+
+class BlockPanel(Panel):
+    """A quad mesh in blocks: neighbors that have different numbers of blocks, and mostly different colours."""
+
+    def renderer(self, aspect, size, line_width, ball_size):
+        result = super().renderer(aspect, size, line_width, ball_size)
+        mesh = self.mesh
+        block = vtk_to_numpy(mesh.data.GetCellData().GetArray("block"))[-len(mesh.quads):]
+        for number, colour in enumerate(BLOCKS):
+            mask = block * 7 % len(BLOCKS) == number
+            if mask.any():
+                result.AddActor(render_quads.surface_actor(mesh.points, mesh.quads[mask], colour))
+        sides = np.concatenate([mesh.quads[:, [k - 1, k]] for k in range(4)])
+        edges, edge_of = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True)
+        least, greatest = np.full(len(edges), len(block)), np.full(len(edges), -1)
+        np.minimum.at(least, edge_of.ravel(), np.tile(block, 4))
+        np.maximum.at(greatest, edge_of.ravel(), np.tile(block, 4))
+        borders = edges[least < greatest]
+        result.AddActor(render.tubes(mesh.points, borders, 0.0022 * self.view(mesh, aspect).reach, BORDER))
         return result
 
 
@@ -161,6 +185,15 @@ def draw_sizes(computer):
     draw("quad_sizes", [panels], (500, 400), 1, 1.1)
 
 
+def draw_blocks(computer):
+    """Blocks that meet along whole sides, along whole sides between features, and with T-junctions."""
+    panels = []
+    for kind in ("whole-sides", "by-patch", "t-junctions"):
+        vtp, report = computer.quads("rotor", "--blocks", kind)
+        panels.append(BlockPanel(vtp, f"{kind}: {report['blocks']} blocks", from_side(30, 40)))
+    draw("quad_blocks", [panels], (400, 330), 1, 1.6)
+
+
 def draw_stages(computer):
     """The map, the T-mesh and the quads of a model."""
     seamless, view = computer.seamless_map("anchor_dense"), from_side(30, 40)
@@ -177,7 +210,8 @@ def draw_maps(computer):
     draw("t_mesh", [[MapPanel(seamless, name, view) for seamless, name, view in models]], (600, 430), 1, 1.4)
 
 
-PICTURES = {"quad_gallery": draw_gallery, "quad_sizes": draw_sizes, "quad_stages": draw_stages, "maps": draw_maps}
+PICTURES = {"quad_gallery": draw_gallery, "quad_sizes": draw_sizes, "quad_stages": draw_stages, "maps": draw_maps,
+            "quad_blocks": draw_blocks}
 
 
 def main():
