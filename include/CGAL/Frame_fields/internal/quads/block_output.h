@@ -71,8 +71,8 @@ template <typename QuadMesh, typename FaceMap, typename EdgeMap>
 void write_block_maps(const QuadMesh& mesh, const Block_partition& partition, const FaceMap block_map,
                       const EdgeMap is_border_map)
 {
-  for(const auto e : edges(mesh)) // also those without a face
-    put_if_given(is_border_map, e, true);
+  for(const auto h : halfedges(mesh)) // also those without a face
+    put_if_given(is_border_map, edge(h, mesh), true);
   int f = 0, c = 0;
   for(const auto face : faces(mesh))
   {
