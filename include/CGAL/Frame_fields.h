@@ -20,12 +20,14 @@
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Linear_algebra_frame_field_solver_traits.h>
 #include <CGAL/Frame_fields/No_index_target.h>
+#include <CGAL/Frame_fields/Quad_block.h>
 #include <CGAL/Frame_fields/Quad_quality.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/Seamless_map_status.h>
 #include <CGAL/Frame_fields/Statistics.h>
 #include <CGAL/Frame_fields/Streamline.h>
 #include <CGAL/Frame_fields/Support_strategy.h>
+#include <CGAL/Frame_fields/T_junctions.h>
 #include <CGAL/Frame_fields/cad_frame_field.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/comb_frame_field.h>
@@ -40,6 +42,7 @@
 #include <CGAL/Frame_fields/prepare_for_frame_field.h>
 #include <CGAL/Frame_fields/prescribe_rotation.h>
 #include <CGAL/Frame_fields/quad_mesh.h>
+#include <CGAL/Frame_fields/quad_mesh_blocks.h>
 #include <CGAL/Frame_fields/quad_mesh_quality.h>
 #include <CGAL/Frame_fields/refine_triangles.h>
 #include <CGAL/Frame_fields/relax_frame_field.h>

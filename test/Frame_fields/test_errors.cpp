@@ -425,9 +425,9 @@ TEST(Inconsistent_halfedges, are_named)
 TEST(Error_message, exists_for_each_error_code)
 {
   std::set<std::string> messages;
-  for(int code = FF::OK; code <= FF::ERROR_MESH_CHANGED; ++code)
+  for(int code = FF::OK; code <= FF::ERROR_NON_QUADRANGULAR_MESH; ++code)
     messages.insert(FF::get_error_message(code));
-  EXPECT_EQ(static_cast<std::size_t>(FF::ERROR_MESH_CHANGED) + 1, messages.size());
+  EXPECT_EQ(static_cast<std::size_t>(FF::ERROR_NON_QUADRANGULAR_MESH) + 1, messages.size());
   EXPECT_EQ(0u, messages.count(FF::get_error_message(-1)));
   EXPECT_STREQ(FF::get_error_message(-1), FF::get_error_message(1000));
 }

@@ -135,7 +135,7 @@ class QuadUsage(QuadProgramTest):
         for option in ("MODEL", "--features", "--feature-angle", "--weak-angle", "--close-gaps", "--min-chain-length",
                        "--edge-length", "--quads", "--chord-height", "--edges-across-gap", "--gradation",
                        "--min-edge-length", "--field-follows-sizes", "--no-refinement", "-o", "--ascii",
-                       "--feature-lines",
+                       "--feature-lines", "--blocks",
                        "--write-features", "--support", "--edge-weights", "--curvature-weight", "--index-targets",
                        "--sharp-corner-bound", "--blunt-corner-bound", "--no-repair", "--no-relaxation", "--threads",
                        "--report", "--no-merge", "--close-cracks", "--quiet", "--verbose", "--help", "--version",
@@ -170,7 +170,7 @@ class QuadUsage(QuadProgramTest):
                 ("another name", "cube.off -o out.obj -o ./out.obj"), ("another name", "cube.off -o cube.off"),
                 ("another name", "cube.off -o out.obj --report out.obj"),
                 ("--features", "cube.off --features model.feat --feature-angle 30"),
-                ("'ring'", "cube.off --support ring")):
+                ("'ring'", "cube.off --support ring"), ("'two'", "cube.off --blocks two")):
             with self.subTest(arguments):
                 self.assert_fails(BAD_USAGE, message, *arguments.split())
 
@@ -261,6 +261,22 @@ class QuadFormats(QuadProgramTest):
             self.succeed("cube.off", "-o", "out.ply", "--quiet", *options)
             contents.append(read_quad_ply((self.folder / "out.ply").read_bytes()))
         self.assertEqual(*contents)
+
+    def test_blocks_without_features(self):
+        """They cannot be told from patches with all features of the cube, and are those of its irregular vertices."""
+        self.write_cube()
+        for kind in ("whole-sides", "by-patch", "t-junctions"):
+            report = self.report("cube.off", "--feature-angle", "100", "--blocks", kind, "--ascii", "-o", "out.ply",
+                                 "-o", "out.vtp")
+            _, arrays = read_vtp((self.folder / "out.vtp").read_bytes())
+            blocks = list(arrays["CellData", "block"])[-report["quads"]:]
+            rows = (self.folder / "out.ply").read_text().splitlines()[-report["quads"]:]
+            self.assertEqual([int(row.split()[6]) for row in rows], blocks)
+            self.assertEqual(set(blocks), set(range(report["blocks"])))
+            self.assertEqual(report["patches"], 1)
+            self.assertGreaterEqual(report["blocks"], 6)
+            self.assertEqual(report["options"]["blocks"], kind)
+        self.assertIsNone(self.report("cube.off")["blocks"])
 
     def test_curves_of_the_cube(self):
         self.write_all("--edge-length", str(LENGTH))

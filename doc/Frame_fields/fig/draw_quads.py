@@ -15,23 +15,21 @@ import pathlib
 import subprocess
 import tempfile
 
-import matplotlib
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk
-
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 # It adds the folder of the renderers to the path.
-from draw_fields import CLASSICAL, FLANGE, FOLDER, LABEL_SIZE, draw, from_above, from_side, render  # noqa: E402
+from draw_fields import FLANGE, LABEL_SIZE, draw, from_side, render  # noqa: E402
 
 import planar_models as planar  # noqa: E402
 import render_quad_mesh as render_quads  # noqa: E402
 from seamless_maps import SeamlessMap  # noqa: E402
 
-FILLED, LAYOUT = (0.98, 0.80, 0.45), (0.85, 0.25, 0.05)
-SMOOTHEST, OURS = "smoothest field", "this package"
+FILLED, LAYOUT, BORDER = (0.98, 0.80, 0.45), (0.85, 0.25, 0.05), (0.15, 0.20, 0.30)
+BLOCKS = ((0.70, 0.82, 0.94), (0.98, 0.85, 0.70), (0.78, 0.91, 0.75), (0.90, 0.80, 0.93), (0.98, 0.93, 0.68),
+          (0.75, 0.91, 0.91), (0.95, 0.78, 0.80), (0.86, 0.86, 0.86), (0.85, 0.90, 0.65), (0.80, 0.78, 0.92),
+          (0.92, 0.86, 0.78))
 
 
 class Panel:
@@ -49,6 +47,27 @@ class Panel:
         label = render.text(self.label, size[0] / 2, 6, LABEL_SIZE)
         label.GetTextProperty().SetJustificationToCentered()
         result.AddActor2D(label)
+        return result
+
+
+class BlockPanel(Panel):
+    """A quad mesh in blocks: neighbors that have different numbers of blocks, and mostly different colours."""
+
+    def renderer(self, aspect, size, line_width, ball_size):
+        result = super().renderer(aspect, size, line_width, ball_size)
+        mesh = self.mesh
+        block = vtk_to_numpy(mesh.data.GetCellData().GetArray("block"))[-len(mesh.quads):]
+        for number, colour in enumerate(BLOCKS):
+            mask = block * 7 % len(BLOCKS) == number
+            if mask.any():
+                result.AddActor(render_quads.surface_actor(mesh.points, mesh.quads[mask], colour))
+        sides = np.concatenate([mesh.quads[:, [k - 1, k]] for k in range(4)])
+        edges, edge_of = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True)
+        least, greatest = np.full(len(edges), len(block)), np.full(len(edges), -1)
+        np.minimum.at(least, edge_of.ravel(), np.tile(block, 4))
+        np.maximum.at(greatest, edge_of.ravel(), np.tile(block, 4))
+        borders = edges[least < greatest]
+        result.AddActor(render.tubes(mesh.points, borders, 0.0022 * self.view(mesh, aspect).reach, BORDER))
         return result
 
 
@@ -114,6 +133,13 @@ class Computer:
             subprocess.run([self.map_program, self.meshes / (name + ".off")], check=True, stdout=out)
         return SeamlessMap(path)
 
+    def has(self, name):
+        """Whether there is a model of this name; says so if not."""
+        is_there = (self.meshes / (name + ".off")).exists()
+        if not is_there:
+            print(f"There is no {name} in {self.meshes}: left out.")
+        return is_there
+
     def quads(self, model, *options):
         """The VTP file of the quads of a model, which is a file or a plane model, and the report."""
         self.number += 1
@@ -133,41 +159,8 @@ class Computer:
                        check=True)
         return vtp, json.loads(report.read_text(encoding="utf-8"))
 
-    def panel(self, title, model, view, *options):
-        """With the number of irregular vertices, and the filled patches in another colour."""
-        vtp, report = self.quads(model, *options)
-        quality = report["quality"]
-        irregular = quality["irregular_vertices"] + quality["irregular_feature_sectors"]
-        filled = [number for number, patch in enumerate(report["patch_list"]) if patch["way"] != "certified_map"]
-        label = f"{title}: {irregular} irregular" if irregular else title
-        return Panel(vtp, label, view, filled)
-
-    def pair(self, model, view, *options):
-        return [self.panel(SMOOTHEST, model, view, *options, *CLASSICAL), self.panel(OURS, model, view, *options)]
-
 
 # ---------------------------------------------------------------- the pictures
-
-def draw_flange(computer):
-    draw("flange_quads", [computer.pair(FLANGE, from_side(30, 40, 1.05), "--quads", "6000")], (600, 450), 1, 1.1)
-
-
-def draw_shark(computer):
-    draw("shark_quads", [computer.pair("mech-holes-shark", from_side(60, 25, 1.0), "--quads", "4000")], (600, 400), 1,
-         1.3)
-
-
-def draw_sharp_corners(computer):
-    """A plane sector, and extremely sharp corners: a crescent with two tips of 8 degrees, and four cusps."""
-    radius = ["--support", "radius", "--edge-weights", "geometric"]
-    rows = []
-    for model, view, *size in ((planar.sector(25, 34), from_above(), "--edge-length", "0.045"),
-                               (planar.crescent(8, 160), from_above((-0.72, 0.27, 0), 0.36), "--edge-length", "0.04"),
-                               (planar.astroid(120), from_above(), "--edge-length", "0.045")):
-        rows.append([computer.panel(title, model, view, *size, *options)
-                     for title, options in ((SMOOTHEST, CLASSICAL), ("rings(4)", []), ("radius()", radius))])
-    draw("sharp_corner_quads", rows, (400, 300), 1, 1.6)
-
 
 # Names of models, from where they are seen (azimuth and elevation), and the number of quads.
 GALLERY = (("couplingdown", (30, 50), 3500), ("anchor_dense", (30, 40), 2500), ("pinion", (-50, 30), 1500),
@@ -192,6 +185,15 @@ def draw_sizes(computer):
     draw("quad_sizes", [panels], (500, 400), 1, 1.1)
 
 
+def draw_blocks(computer):
+    """Blocks that meet along whole sides, along whole sides between features, and with T-junctions."""
+    panels = []
+    for kind in ("whole-sides", "by-patch", "t-junctions"):
+        vtp, report = computer.quads("rotor", "--blocks", kind)
+        panels.append(BlockPanel(vtp, f"{kind}: {report['blocks']} blocks", from_side(30, 40)))
+    draw("quad_blocks", [panels], (400, 330), 1, 1.6)
+
+
 def draw_stages(computer):
     """The map, the T-mesh and the quads of a model."""
     seamless, view = computer.seamless_map("anchor_dense"), from_side(30, 40)
@@ -208,32 +210,8 @@ def draw_maps(computer):
     draw("t_mesh", [[MapPanel(seamless, name, view) for seamless, name, view in models]], (600, 430), 1, 1.4)
 
 
-def plot_irregular(computer):
-    """Irregular vertices of quads from the smoothest field and from ours."""
-    names = ("mech-holes-shark", "boeing", "fandisk", "anchor_dense", "turbine", "couplingdown", "fandisk_large",
-             "hand", "oblong", "rotor")
-    counts = []
-    for model in (FLANGE, *names):
-        counts.append([])
-        for options in (CLASSICAL, []):
-            quality = computer.quads(model, *options)[1]["quality"]
-            counts[-1].append(quality["irregular_vertices"] + quality["irregular_feature_sectors"])
-    figure, axis = plt.subplots(figsize=(9, 3.2), constrained_layout=True)
-    for number, (label, colour) in enumerate(((SMOOTHEST, "0.6"), (OURS, "tab:blue"))):
-        places = [place + 0.4 * number - 0.2 for place in range(len(counts))]
-        bars = axis.bar(places, [count[number] for count in counts], 0.38, color=colour, label=label)
-        axis.bar_label(bars, fontsize="x-small")
-    axis.set_xticks(range(len(counts)), ["flange", *names], rotation=30, ha="right")
-    axis.set_yscale("log")
-    axis.set_ylabel("irregular vertices")
-    axis.legend(frameon=False)
-    figure.savefig(FOLDER / "irregular_vertices.svg", metadata={"Date": None})
-
-
-PICTURES = {"flange_quads": draw_flange, "shark_quads": draw_shark, "quad_gallery": draw_gallery,
-            "quad_sizes": draw_sizes,
-            "sharp_corner_quads": draw_sharp_corners, "quad_stages": draw_stages, "maps": draw_maps,
-            "irregular_vertices": plot_irregular}
+PICTURES = {"quad_gallery": draw_gallery, "quad_sizes": draw_sizes, "quad_stages": draw_stages, "maps": draw_maps,
+            "quad_blocks": draw_blocks}
 
 
 def main():

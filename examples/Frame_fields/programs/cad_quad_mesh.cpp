@@ -51,6 +51,8 @@ Quad_summary run(const Quad_options& options)
 
   Quads quads;
   compute_quads(input.model, is_feature, options, console, quads);
+  divide_into_blocks(options, quads);
+  summary.number_of_blocks = quads.number_of_blocks;
   summary.quad_vertices = quads.mesh.number_of_vertices();
   summary.quad_feature_edges = count_features(quads.mesh, quads.is_feature);
   summary.statistics = quads.statistics;

@@ -44,7 +44,8 @@ enum Error_code
   ERROR_NO_RECEIVING_SECTOR,         ///< The rotation taken from a sharp corner finds no sector to go to
   ERROR_CANNOT_SOLVE_LINEAR_SYSTEM,  ///< The linear solver failed
   ERROR_INCONSISTENT_HALFEDGES,      ///< Opposite halfedges, or the halfedges around a face, contradict one another
-  ERROR_MESH_CHANGED                 ///< The mesh of a `Cut_triangle_mesh` is not the same as when it was cut
+  ERROR_MESH_CHANGED,                ///< The mesh of a `Cut_triangle_mesh` is not the same as when it was cut
+  ERROR_NON_QUADRANGULAR_MESH        ///< A face is not a quad
 };
 
 /// \ingroup PkgFrame_fieldsEnums
@@ -69,6 +70,7 @@ inline const char* get_error_message(int error_code)
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "The linear solver failed";
     case ERROR_INCONSISTENT_HALFEDGES:     return "The halfedges of the mesh contradict one another";
     case ERROR_MESH_CHANGED:               return "The mesh has changed since it was cut";
+    case ERROR_NON_QUADRANGULAR_MESH:      return "A face is not a quad";
   }
   return "Unknown error";
 }

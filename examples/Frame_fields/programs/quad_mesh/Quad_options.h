@@ -7,6 +7,8 @@
 #include "../shared/Shared_options.h"
 #include "../shared/option_values.h"
 
+#include <CGAL/Frame_fields/T_junctions.h>
+
 #include <boost/program_options.hpp>
 
 #include <cmath>
@@ -28,7 +30,19 @@ struct Quad_options : Shared_options
   std::vector<std::string> meshes;
   bool writes_ascii;
   bool writes_feature_lines;
+  std::optional<std::string> blocks; // what `t_junctions_from()` takes
 };
+
+inline CGAL::Frame_fields::T_junctions t_junctions_from(const std::string& text)
+{
+  if(text == "whole-sides")
+    return CGAL::Frame_fields::T_junctions::NONE;
+  if(text == "by-patch")
+    return CGAL::Frame_fields::T_junctions::ON_CONSTRAINED_EDGES;
+  if(text == "t-junctions")
+    return CGAL::Frame_fields::T_junctions::EVERYWHERE;
+  throw Failure(BAD_USAGE, "--blocks is '" + text + "' and must be whole-sides, by-patch or t-junctions");
+}
 
 inline std::vector<std::string> inputs_of(const Quad_options& options)
 {
@@ -88,9 +102,18 @@ inline std::vector<std::string> meshes_option(const boost::program_options::vari
   return paths;
 }
 
+inline std::optional<std::string> blocks_option(const boost::program_options::variables_map& variables)
+{
+  if(!variables.count("blocks"))
+    return std::nullopt;
+  const std::string text = variables["blocks"].as<std::string>();
+  t_junctions_from(text); // a wrong one is reported before the model is read
+  return text;
+}
+
 inline Quad_options quad_options_from(const boost::program_options::variables_map& variables)
 {
-  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {} };
+  Quad_options options{ shared_options_from(variables), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {} };
   options.edge_length = edge_length_option(variables);
   options.number_of_quads = count_option(variables, "quads");
   read_size_bounds(variables, options);
@@ -98,6 +121,7 @@ inline Quad_options quad_options_from(const boost::program_options::variables_ma
   options.meshes = meshes_option(variables);
   options.writes_ascii = variables.count("ascii");
   options.writes_feature_lines = variables.count("feature-lines");
+  options.blocks = blocks_option(variables);
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Quad_summary
   std::size_t feature_edges = 0;
   std::vector<Vertex> dangling_ends;                      // of its features
   std::size_t quad_vertices = 0, quad_feature_edges = 0;
+  std::optional<std::size_t> number_of_blocks;            // nothing if they were not asked for
   CGAL::Frame_fields::Quad_statistics statistics;
   double seconds_reading = 0, seconds_writing = 0;
   std::vector<std::string> warnings;

@@ -11,20 +11,25 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/cad_quad_mesh.h>
 #include <CGAL/Frame_fields/parameters.h>
+#include <CGAL/Frame_fields/quad_mesh_blocks.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 
-// A quadrangle mesh with its feature edges, borders among them, and the patch of each face. CGAL writes the integers to
-// PLY files under their names.
+// A quadrangle mesh with its feature edges, borders among them, the patch of each face, and its block if asked for.
+// CGAL writes the integers to PLY files under their names.
 struct Quads
 {
   Mesh mesh;
   Feature_map is_feature = mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
   Mesh::Property_map<Face, int> patch = mesh.add_property_map<Face, int>("f:patch", 0).first;
+  std::optional<Mesh::Property_map<Face, int> > block;
+  std::optional<std::size_t> number_of_blocks;
   CGAL::Frame_fields::Quad_statistics statistics;
 };
 
@@ -94,6 +99,18 @@ inline void compute_quads(const Model& model, const Feature_map is_feature, cons
                     .field_follows_sizes(options.field_follows_sizes);
   check(CGAL::Frame_fields::cad_quad_mesh(
           model.mesh, quads.mesh, parameters::join(np, all_field_parameters(model, is_feature, options))), options);
+}
+
+inline void divide_into_blocks(const Quad_options& options, Quads& quads)
+{
+  if(!options.blocks)
+    return;
+  quads.block = quads.mesh.add_property_map<Face, int>("f:block", 0).first;
+  quads.number_of_blocks = 0;
+  check(CGAL::Frame_fields::quad_mesh_blocks(
+          quads.mesh, *quads.block, CGAL::Frame_fields::parameters::edge_is_constrained_map(quads.is_feature)
+                                      .t_junctions(t_junctions_from(*options.blocks))
+                                      .number_of_blocks(std::ref(*quads.number_of_blocks))), options);
 }
 
 #endif // FRAME_FIELDS_PROGRAMS_QUADS_H

@@ -61,6 +61,8 @@ inline void print_quad_table(const Quad_summary& summary, const bool is_verbose)
     print_row("  longest", statistics.maximum_target_edge_length);
   }
   print_row("quadrangles", statistics.number_of_quads);
+  if(summary.number_of_blocks)
+    print_row("blocks", *summary.number_of_blocks);
   print_row("irregular inside", quality.number_of_irregular_vertices);
   print_row("irregular on features", quality.number_of_irregular_sectors);
   print_row("inverted quadrangles", quality.number_of_inverted_quads);

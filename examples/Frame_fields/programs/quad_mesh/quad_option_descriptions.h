@@ -42,6 +42,9 @@ inline boost::program_options::options_description quad_output_option_descriptio
      "several times")
     ("ascii", "write PLY files as text")
     ("feature-lines", "write the feature edges to OBJ files as well, as lines (l)")
+    ("blocks", po::value<std::string>()->value_name("KIND"),
+     "divide the quadrangles into rectangular blocks, for PLY and VTP files: whole-sides, which meet along whole\n"
+     "sides; by-patch, which do so between features; or t-junctions, the fewest")
     ("write-features", file_value(),
      "write the feature edges of the quadrangle mesh, in the format that the name's end tells as for --features");
   add_run_option_descriptions(options);
@@ -67,7 +70,8 @@ inline void print_quad_help(std::ostream& out)
          "  .ply  faces: patch, counted from 0; vertices: feature, 1 on feature edges and borders\n"
          "  .vtp  quadrangles: patch, scaled_jacobian; feature edges as lines: curve; irregular vertices: valence,\n"
          "        on_feature (valence is then that of one sector between two feature edges)\n"
-         "  .msh  quadrangles (type 3) in physical groups patch_0 ..., feature edges (type 1) in curve_0 ...\n\n";
+         "  .msh  quadrangles (type 3) in physical groups patch_0 ..., feature edges (type 1) in curve_0 ...\n"
+         "With --blocks, .ply and .vtp have the block of each quadrangle, counted from 0.\n\n";
   print_exit_codes(out);
 }
 

@@ -22,6 +22,7 @@ inline Json json_of(const Quad_options& options)
   json["min_edge_length"] = options.minimum_edge_length ? Json(*options.minimum_edge_length) : Json();
   json["field_follows_sizes"] = options.field_follows_sizes;
   json["refinement"] = options.refines;
+  json["blocks"] = options.blocks ? Json(*options.blocks) : Json();
   return json;
 }
 
@@ -100,6 +101,7 @@ inline void write_quad_report(std::ostream& out, const Quad_options& options, co
     { "quads", statistics.number_of_quads },
     { "quad_vertices", summary.quad_vertices },
     { "quad_feature_edges", summary.quad_feature_edges },
+    { "blocks", summary.number_of_blocks ? Json(*summary.number_of_blocks) : Json() },
     { "quality", json_of(statistics.quality) },
     { "patch_list", json_of_patches(statistics) },
     { "field", json_of_field(statistics.field) },

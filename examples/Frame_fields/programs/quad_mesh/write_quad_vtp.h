@@ -22,12 +22,12 @@ struct Quad_vtp_content
 {
   std::vector<double> points;
   Vtp_cells verts, lines, polys;
-  std::vector<std::int32_t> valence, on_feature, curve, patch;
+  std::vector<std::int32_t> valence, on_feature, curve, patch, block;
   std::vector<double> scaled_jacobian;
 
   void add_cell()
   {
-    for(std::vector<std::int32_t>* const attribute : { &valence, &on_feature, &curve, &patch })
+    for(std::vector<std::int32_t>* const attribute : { &valence, &on_feature, &curve, &patch, &block })
       attribute->push_back(-1);
     scaled_jacobian.push_back((std::numeric_limits<double>::quiet_NaN)());
   }
@@ -67,6 +67,8 @@ inline void add_quads(const Quads& quads, Quad_vtp_content& content)
     content.polys.end_cell();
     content.add_cell();
     content.patch.back() = quads.patch[f];
+    if(quads.block)
+      content.block.back() = (*quads.block)[f];
     content.scaled_jacobian.back() = scaled_jacobian(quads.mesh, f);
   }
 }
@@ -86,8 +88,10 @@ inline void write_quad_vtp(std::ostream& out, const Quads& quads)
     cell_data << "<CellData>\n"
               << arrays.add("valence", content.valence) << arrays.add("on_feature", content.on_feature)
               << arrays.add("curve", content.curve) << arrays.add("patch", content.patch)
-              << arrays.add("scaled_jacobian", content.scaled_jacobian)
-              << "</CellData>\n";
+              << arrays.add("scaled_jacobian", content.scaled_jacobian);
+    if(quads.block)
+      cell_data << arrays.add("block", content.block);
+    cell_data << "</CellData>\n";
   });
 }
 

@@ -64,3 +64,7 @@ CGAL_add_named_parameter(fallback_patch_output_iterator_t, fallback_patch_output
 CGAL_add_named_parameter(uncertified_patch_output_iterator_t, uncertified_patch_output_iterator,
                          uncertified_patch_output_iterator)
 CGAL_add_named_parameter(flip_tolerance_t, flip_tolerance, flip_tolerance)
+CGAL_add_named_parameter(t_junctions_t, t_junctions, t_junctions)
+CGAL_add_named_parameter(edge_is_on_block_border_t, edge_is_on_block_border, edge_is_on_block_border_map)
+CGAL_add_named_parameter(block_output_iterator_t, block_output_iterator, block_output_iterator)
+CGAL_add_named_parameter(number_of_blocks_t, number_of_blocks, number_of_blocks)
