@@ -82,7 +82,7 @@ bool is_valid_without_bends(Refined_quads& quads, const Cut_surface& surface, co
 }
 
 // Tries another start where quads stay inverted: moves the vertices of their patches to integer-grid maps and smooths
-// there again. Keeps what has fewer inverted quads and returns these.
+// there again. Keeps what has fewer inverted quads and returns these. On many faces this would take too long.
 template <typename ConcurrencyTag, typename SolverTraits>
 std::vector<int> restart_on_integer_grids(const Cut_surface& surface, const Surface_embedding& embedding,
                                           const std::vector<int>& index, const Feature_network& features,
@@ -91,11 +91,15 @@ std::vector<int> restart_on_integer_grids(const Cut_surface& surface, const Surf
                                           const SolverTraits& solver_traits, const std::vector<int>& inverted,
                                           Refined_quads& quads)
 {
-  std::vector<char> has_inverted(t_meshes.size(), 0);
+  const int maximum_number_of_faces = 100000;
+  std::vector<char> is_restarted(t_meshes.size(), 0);
   for(const int q : inverted)
-    has_inverted[quads.complex.patch[q]] = 1;
+  {
+    const int patch = quads.complex.patch[q];
+    is_restarted[patch] = surface.patches[patch].faces.size() <= maximum_number_of_faces;
+  }
   Quad_complex complex = quads.complex;
-  if(place_on_integer_grids<ConcurrencyTag>(surface, index, map, t_meshes, maker, has_inverted, solver_traits,
+  if(place_on_integer_grids<ConcurrencyTag>(surface, index, map, t_meshes, maker, is_restarted, solver_traits,
                                             complex) == 0)
     return inverted;
   const std::vector<int> still_inverted =
