@@ -362,6 +362,44 @@ TEST(Quad_filling, marked_vertices_inside_stay)
   EXPECT_EQ(count, 1);
 }
 
+// Of all ways to give each goal a different point in their order, the one with the least sum of squared distances.
+TEST(Arc_vertices, points_for_bends_are_the_nearest_in_all)
+{
+  std::mt19937 generator(1);
+  for(int round = 0; round < 300; ++round)
+  {
+    const int m = 1 + static_cast<int>(generator() % 4), n = m + static_cast<int>(generator() % 5);
+    std::vector<double> places;
+    for(int g = 0; g < m; ++g)
+      places.push_back((n + 1) * std::pow(generator() / 4294967296., 1 + round % 3) - 1);
+    std::sort(places.begin(), places.end());
+    const auto cost = [&](const std::vector<int>& points)
+    {
+      double sum = 0;
+      for(int g = 0; g < m; ++g)
+        sum += (points[g] - places[g]) * (points[g] - places[g]);
+      return sum;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    for(int subset = 0; subset < 1 << n; ++subset)
+    {
+      std::vector<int> points;
+      for(int i = 0; i < n; ++i)
+        if(subset >> i & 1)
+          points.push_back(i);
+      if(static_cast<int>(points.size()) == m)
+        least = (std::min)(least, cost(points));
+    }
+    const std::vector<int> points = points_near_places(places, n);
+    ASSERT_EQ(static_cast<int>(points.size()), m);
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end()));
+    EXPECT_EQ(std::set<int>(points.begin(), points.end()).size(), points.size());
+    EXPECT_GE(points.front(), 0);
+    EXPECT_LT(points.back(), n);
+    EXPECT_NEAR(cost(points), least, 1e-12);
+  }
+}
+
 // A helix whose first two turns have 12 edges each and the other two 300 each: the breakpoints are 30 and 22.5 degrees
 // apart there. As many points, evenly spaced, would go by up to two edges to reach them.
 TEST(Arc_vertices, go_to_bends_but_not_far_along_a_smooth_arc)

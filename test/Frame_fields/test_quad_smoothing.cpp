@@ -1,6 +1,7 @@
 #include "test_quad_surface.h"
 
 #include <CGAL/Frame_fields/internal/quads/measure_quads.h>
+#include <CGAL/Frame_fields/internal/quads/rechoose_bend_vertices.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_walker.h>
 
@@ -477,6 +478,65 @@ TEST(Quad_smoothing, kept_vertices_slide_within_the_tolerance_where_quads_are_in
       EXPECT_EQ(largest > 1e-3, may_slide);
       EXPECT_GE(least_radius, 9 - 2 * tolerance - 0.08); // the sagitta of the circle's own edges is 0.077
     }
+}
+
+// A ring of quads between the two circles of an annulus, all of whose vertices are at bends. If the outer ones are
+// turned by some edges, others come to the bends, and the quads are straight, unless no turn makes them valid.
+TEST(Quad_smoothing, bends_get_the_vertices_that_come_next_to_them)
+{
+  const int n = 24, outer = 5 * n;
+  const Smoothing_case annulus = smoothing_cases().back();
+  const Quad_surface& s = annulus.surface;
+  for(const int turn : { 0, 1, 3, -3, 5 })
+  {
+    SCOPED_TRACE(turn);
+    const Quad_complex flat = scattered(s, {}, 1e-9, 1);
+    Quad_complex complex = flat;
+    complex.arcs.resize(2);
+    complex.is_loop.assign(2, true);
+    complex.has_free_bends.assign(2, false);
+    for(int i = 0; i < n; ++i)
+    {
+      complex.vertices[outer + i] = flat.vertices[outer + (i + turn + n) % n];
+      complex.vertices[outer + i].vertex = outer + (i + turn + n) % n;
+      complex.vertices[i].vertex = i;
+      for(Quad_vertex* const v : { &complex.vertices[i], &complex.vertices[outer + i] })
+        v->position = std::round(v->position);
+      complex.quads.push_back({ i, outer + i, outer + (i + 1) % n, (i + 1) % n });
+      complex.patch.push_back(0);
+    }
+    for(const int first : { 0, outer })
+    {
+      std::vector<int>& arc = complex.arcs[complex.vertices[first].arc];
+      for(int i = 0; i < n; ++i)
+        arc.push_back(first + i);
+      const bool is_reversed = std::fmod(complex.vertices[arc[1]].position - complex.vertices[arc[0]].position + n, n)
+                             > 0.5 * n;
+      if(is_reversed)
+        std::reverse(arc.begin(), arc.end());
+    }
+    const double before = worst(s, complex, up);
+    const std::vector<Quad_vertex> old_vertices = complex.vertices;
+    rechoose_bend_vertices<CGAL::Sequential_tag>(complex, s.surface, s.embedding, s.network, Smoothing_options());
+    std::set<int> at_bends;
+    for(const Quad_vertex& v : complex.vertices)
+      if(v.arc >= 0)
+      {
+        at_bends.insert(v.vertex);
+        EXPECT_EQ(v.position, std::floor(v.position));
+        EXPECT_LT(distance(s.point(v.location), s.point(s.location_on_arc(v.arc, v.position))), 1e-12);
+      }
+    EXPECT_EQ(at_bends.size(), 2u * n);
+    EXPECT_EQ(at_bends.count(-1), 0u);
+    EXPECT_EQ(before > 0, turn != 5);
+    if(before > 0)
+    {
+      EXPECT_GT(worst(s, complex, up), 0.98);
+    }
+    else
+      for(std::size_t v = 0; v < old_vertices.size(); ++v)
+        EXPECT_EQ(complex.vertices[v].vertex, old_vertices[v].vertex);
+  }
 }
 
 // Whoever slides vertices after a release has to keep the arc as well.

@@ -21,6 +21,7 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/make_sized_quads.h>
 #include <CGAL/Frame_fields/internal/quads/place_on_integer_grids.h>
+#include <CGAL/Frame_fields/internal/quads/rechoose_bend_vertices.h>
 #include <CGAL/Frame_fields/internal/quads/smooth_quads.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
@@ -189,7 +190,10 @@ Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedd
   // Valid quads matter more than that vertices stay at the bends of arcs.
   options.may_release_bends = true;
   const std::vector<char> no_patch(surface.patches.size(), 0);
-  smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, no_patch, options);
+  const bool is_valid = smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, no_patch,
+                                                              options).empty();
+  if(is_valid)
+    rechoose_bend_vertices<ConcurrencyTag>(quads.complex, surface, embedding, features, options);
   options.untangles = options.may_release_bends = false;
   smooth<ConcurrencyTag>(quads.complex, surface, embedding, features, options);
   return quads;
