@@ -501,7 +501,10 @@ TEST(Quad_smoothing, bends_get_the_vertices_that_come_next_to_them)
       complex.vertices[outer + i].vertex = outer + (i + turn + n) % n;
       complex.vertices[i].vertex = i;
       for(Quad_vertex* const v : { &complex.vertices[i], &complex.vertices[outer + i] })
-        v->position = std::round(v->position);
+      {
+        v->position = std::fmod(std::round(v->position), n);
+        v->location = s.location_on_arc(v->arc, v->position);
+      }
       complex.quads.push_back({ i, outer + i, outer + (i + 1) % n, (i + 1) % n });
       complex.patch.push_back(0);
     }

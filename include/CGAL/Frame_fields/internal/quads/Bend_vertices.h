@@ -15,6 +15,7 @@
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/quads/Arc_points.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
+#include <CGAL/Frame_fields/internal/quads/Sliding_quads.h>
 #include <CGAL/Frame_fields/internal/quads/join_arc_sides.h>
 #include <CGAL/Frame_fields/internal/quads/move_to_breakpoints.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
@@ -47,7 +48,7 @@ public:
   std::size_t number_of_bends() const
   {
     std::size_t result = 0;
-    for(const std::vector<Bend>& bends : m_bends)
+    for(const std::vector<int>& bends : m_bends)
       result += bends.size();
     return result;
   }
@@ -62,30 +63,45 @@ public:
     return result;
   }
 
-  // Chooses on the arcs that have a vertex near each bend.
-  void choose_where_clear()
+  // Chooses on the arcs that have a vertex near each bend. `quads` must be of the complex.
+  void choose_where_clear(Sliding_quads& quads)
   {
     const double near = 0.3;
-    choose([&](const Placement& placement) { return placement.distance < near ? Choice::NEW : Choice::OPEN; });
+    for(const int arc : open_arcs())
+    {
+      const Placement placement = placement_on(arc);
+      if(placement.distance < near)
+      {
+        move(quads, placement.vertices, positions_at_bends(arc, placement));
+        keep_at_bends(arc, placement);
+      }
+    }
   }
 
-  // Chooses on all arcs: the same vertices as before unless one of these is far from its bend. So opposite sides of a
-  // row of quads that slid along together do not choose vertices of different rows.
-  void choose_everywhere()
+  // Chooses on all arcs: the same vertices as before, or the nearest ones if the quads at the arc are less distorted
+  // then. As these show what has been chosen on the other side of a row of quads, both sides choose alike.
+  void choose_everywhere(Sliding_quads& quads)
   {
-    const double far = 0.7;
-    choose([&](const Placement& placement) { return placement.old_distance < far ? Choice::OLD : Choice::NEW; });
+    for(const int arc : open_arcs())
+    {
+      const Placement placement = placement_on(arc);
+      std::vector<double> old_positions;
+      for(const int v : placement.vertices)
+        old_positions.push_back(m_old_vertices[v].position);
+      const double old_distortion = move(quads, placement.vertices, old_positions);
+      if(move(quads, placement.vertices, positions_at_bends(arc, placement)) < old_distortion)
+      {
+        keep_at_bends(arc, placement);
+        continue;
+      }
+      move(quads, placement.vertices, old_positions);
+      for(const int v : placement.vertices)
+        m_complex.vertices[v] = m_old_vertices[v];
+      m_bends[arc].clear();
+    }
   }
 
 private:
-  enum class Choice { OPEN, OLD, NEW };
-
-  struct Bend
-  {
-    int place;      // in the arc
-    int old_vertex; // among the inner vertices of the arc
-  };
-
   // Where the vertices of an arc are, and where its bends are among them.
   struct Placement
   {
@@ -93,7 +109,6 @@ private:
     std::vector<double> points, goals; // the lengths of vertices and bends
     std::vector<int> chosen;           // per goal: a vertex
     double distance = 0;               // the largest one of a bend from the vertex chosen for it, over the edges there
-    double old_distance = 0;           // the same from the vertex that it had
   };
 
   // The vertices of an arc without the nodes at its ends, in order.
@@ -107,41 +122,19 @@ private:
 
   void release(const int arc)
   {
-    const std::vector<int> vertices = inner_vertices(arc);
-    for(std::size_t i = 0; i < vertices.size(); ++i)
+    for(const int vertex : inner_vertices(arc))
     {
-      Quad_vertex& v = m_complex.vertices[vertices[i]];
+      Quad_vertex& v = m_complex.vertices[vertex];
       if(v.vertex < 0)
         continue;
-      m_bends[arc].push_back({ static_cast<int>(std::lround(v.position)), static_cast<int>(i) });
+      m_bends[arc].push_back(static_cast<int>(std::lround(v.position)));
       v.vertex = -1;
     }
-    std::sort(m_bends[arc].begin(), m_bends[arc].end(),
-              [](const Bend& a, const Bend& b) { return a.place < b.place; });
-  }
-
-  template <typename Choose>
-  void choose(const Choose& choice_of)
-  {
-    for(std::size_t arc = 0; arc < m_bends.size(); ++arc)
-    {
-      if(m_bends[arc].empty())
-        continue;
-      const Placement placement = placement_on(static_cast<int>(arc));
-      const Choice choice = choice_of(placement);
-      if(choice == Choice::OLD)
-        for(const int v : placement.vertices)
-          m_complex.vertices[v] = m_old_vertices[v];
-      else if(choice == Choice::NEW)
-        move_to_bends(static_cast<int>(arc), placement);
-      if(choice != Choice::OPEN)
-        m_bends[arc].clear();
-    }
+    std::sort(m_bends[arc].begin(), m_bends[arc].end());
   }
 
   Placement placement_on(const int arc) const
   {
-    const std::vector<Bend>& bends = m_bends[arc];
     const bool is_loop = m_complex.is_loop[arc];
     const double whole = m_arc_points.length(arc);
     Placement result;
@@ -150,45 +143,60 @@ private:
       result.points.push_back(m_arc_points.length_at(arc, m_complex.vertices[v].position));
     if(is_loop)
       result.points = unrolled_loop(result.points, true, whole);
-    std::vector<int> places;
-    for(const Bend& bend : bends)
-      places.push_back(bend.place);
-    int first = 0; // the bend that is the first goal
-    result.goals = lengths_of_breakpoints(m_arc_points, arc, is_loop, places, result.points, first);
+    result.goals = lengths_of_breakpoints(m_arc_points, arc, is_loop, m_bends[arc], result.points);
     const std::vector<double> wanted = places_among_points(result.points, result.goals, is_loop, whole);
-    const int n = static_cast<int>(result.points.size()), m = static_cast<int>(bends.size());
-    result.chosen = points_near_places(wanted, n);
-    for(int g = 0; g < m; ++g)
-    {
-      const double old_distance = bends[(first + g) % m].old_vertex - wanted[g];
-      const double turns = is_loop ? std::round(old_distance / n) : 0;
+    result.chosen = points_near_places(wanted, static_cast<int>(result.points.size()));
+    for(std::size_t g = 0; g < wanted.size(); ++g)
       result.distance = (std::max)(result.distance, std::abs(result.chosen[g] - wanted[g]));
-      result.old_distance = (std::max)(result.old_distance, std::abs(old_distance - turns * n));
-    }
     return result;
   }
 
-  void move_to_bends(const int arc, const Placement& placement)
+  // The positions of the vertices when those that are chosen are at the bends.
+  std::vector<double> positions_at_bends(const int arc, const Placement& placement) const
   {
     const double rounding = 1e-9, whole = m_arc_points.length(arc);
-    std::vector<double> points(placement.points);
-    move_to_goals(placement.chosen, placement.goals, m_complex.is_loop[arc], whole, points);
-    for(std::size_t i = 0; i < points.size(); ++i)
+    std::vector<double> result(placement.points);
+    move_to_goals(placement.chosen, placement.goals, m_complex.is_loop[arc], whole, result);
+    for(double& position : result)
+      position = m_arc_points.position_at(arc, position - std::floor(position / whole) * whole);
+    for(const int i : placement.chosen)
+      if(std::abs(result[i] - std::round(result[i])) < rounding)
+        result[i] = std::fmod(std::round(result[i]), m_arc_points.number_of_edges(arc));
+    return result;
+  }
+
+  // Moves vertices of an arc to the positions. Returns the distortion of their quads.
+  double move(Sliding_quads& quads, const std::vector<int>& vertices, const std::vector<double>& positions) const
+  {
+    const double largest_distortion = 1e4; // of a quad
+    for(std::size_t i = 0; i < vertices.size(); ++i)
     {
-      Quad_vertex& v = m_complex.vertices[placement.vertices[i]];
-      v.position = m_arc_points.position_at(arc, points[i] - std::floor(points[i] / whole) * whole);
-      v.location = m_arc_points.location(arc, v.position);
+      const int arc = m_complex.vertices[vertices[i]].arc;
+      Slide slide;
+      slide.location = m_arc_points.location(arc, positions[i]);
+      slide.length = m_arc_points.length_at(arc, positions[i]);
+      slide.point = quads.walker().point(slide.location);
+      quads.move(vertices[i], slide);
     }
+    double result = 0;
+    for(const int v : vertices)
+      for(const int* c = quads.corners_begin(v); c != quads.corners_end(v); ++c)
+        result += (std::min)(largest_distortion, quads.shape(*c / 4).distortion);
+    return result;
+  }
+
+  void keep_at_bends(const int arc, const Placement& placement)
+  {
+    const std::vector<int>& halfedges = m_network.arcs[arc].halfedges;
     for(const int i : placement.chosen)
     {
       Quad_vertex& v = m_complex.vertices[placement.vertices[i]];
-      if(std::abs(v.position - std::round(v.position)) > rounding)
-        continue;
-      const int place = static_cast<int>(std::lround(v.position)) % m_arc_points.number_of_edges(arc);
+      const double place = std::fmod(std::round(v.position), static_cast<double>(halfedges.size()));
       v.position = place;
       v.location = m_arc_points.location(arc, place);
-      v.vertex = m_embedding.vertex[previous_of(m_network.arcs[arc].halfedges[place])];
+      v.vertex = m_embedding.vertex[previous_of(halfedges[static_cast<std::size_t>(place)])];
     }
+    m_bends[arc].clear();
   }
 
   Quad_complex& m_complex;
@@ -196,7 +204,7 @@ private:
   const Feature_network& m_network;
   Arc_points m_arc_points;
   std::vector<Quad_vertex> m_old_vertices;
-  std::vector<std::vector<Bend> > m_bends; // per arc: those whose choice is open, by their places
+  std::vector<std::vector<int> > m_bends; // per arc: the places of those whose choice is open, in order
 };
 
 } // namespace internal

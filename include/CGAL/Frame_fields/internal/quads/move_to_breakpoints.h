@@ -79,27 +79,23 @@ inline std::vector<int> points_near_places(const std::vector<double>& places, co
   return result;
 }
 
-// The lengths of breakpoints from the beginning of their arc, in increasing order, the one of breakpoint `first` first.
-// On a loop, where the points may have been unrolled over its end, they lie in the same turn as the points.
+// The lengths of breakpoints from the beginning of their arc, in increasing order. On a loop, where the points may have
+// been unrolled over its end, they lie in the same turn as the points.
 inline std::vector<double> lengths_of_breakpoints(const Arc_points& arc_points, const int arc, const bool is_loop,
                                                   const std::vector<int>& breakpoints,
-                                                  const std::vector<double>& points, int& first)
+                                                  const std::vector<double>& points)
 {
   const double whole = arc_points.length(arc), begin = is_loop ? std::floor(points[0] / whole) * whole : 0;
   std::vector<double> goals;
   for(const int place : breakpoints)
     goals.push_back(begin + arc_points.length_at(arc, place, 0));
-  first = 0;
-  if(!is_loop)
-    return goals;
-  const double least = points[0] - whole / (2 * static_cast<double>(points.size()));
-  for(double& goal : goals)
-    if(goal < least)
-    {
-      goal += whole;
-      ++first;
-    }
-  std::rotate(goals.begin(), goals.begin() + first, goals.end());
+  if(is_loop)
+  {
+    for(double& goal : goals)
+      if(goal < points[0] - whole / (2 * static_cast<double>(points.size())))
+        goal += whole;
+    std::sort(goals.begin(), goals.end());
+  }
   return goals;
 }
 
@@ -150,8 +146,7 @@ inline void move_to_breakpoints(const Arc_points& arc_points, const int arc, con
   if(m == 0 || n < m)
     return;
   const double whole = arc_points.length(arc);
-  int first = 0;
-  const std::vector<double> goals = lengths_of_breakpoints(arc_points, arc, is_loop, breakpoints, points, first);
+  const std::vector<double> goals = lengths_of_breakpoints(arc_points, arc, is_loop, breakpoints, points);
   const std::vector<double> places = places_among_points(points, goals, is_loop, whole);
   move_to_goals(points_near_places(places, n), goals, is_loop, whole, points);
 }

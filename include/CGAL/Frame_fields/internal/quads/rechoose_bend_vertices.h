@@ -49,10 +49,10 @@ inline std::vector<int> vertices_of_patches_at(const Quad_complex& complex, cons
   return result;
 }
 
-// Chooses the vertices at bends of arcs anew, first on the arcs where the choice is clear. Those that were chosen by the
-// maps of the two sides of an arc, which do not agree, make slanted quads. All vertices of the patches there slide, but
-// in the end, vertices have moved to bends, and quads may be inverted. Returns false where bends are so few that few
-// quads could be slanted.
+// Chooses the vertices at bends of arcs anew, first on the arcs where the choice is clear. Those that were chosen by
+// the maps of the two sides of an arc, which do not agree, make slanted quads. All vertices of the patches there slide,
+// but in the end, vertices have moved to bends, and quads may be inverted. Returns false where bends are so few that
+// few quads could be slanted.
 template <typename ConcurrencyTag>
 bool move_other_vertices_to_bends(Quad_complex& complex, const Cut_surface& surface,
                                   const Surface_embedding& embedding, const Feature_network& network,
@@ -69,11 +69,11 @@ bool move_other_vertices_to_bends(Quad_complex& complex, const Cut_surface& surf
       break;
     Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
     const std::vector<int> vertices = vertices_of_patches_at(complex, quads, open_arcs);
-    Distortion_sweeps<ConcurrencyTag>(quads, vertices).run(options.number_of_sweeps / 4, options.passable);
+    Distortion_sweeps<ConcurrencyTag>(quads, vertices).run(options.number_of_sweeps / 2, options.passable);
     if(is_last)
-      bend_vertices.choose_everywhere();
+      bend_vertices.choose_everywhere(quads);
     else
-      bend_vertices.choose_where_clear();
+      bend_vertices.choose_where_clear(quads);
   }
   return true;
 }
