@@ -114,10 +114,11 @@ private:
   // The vertices of an arc without the nodes at its ends, in order.
   std::vector<int> inner_vertices(const int arc) const
   {
-    const std::vector<int>& vertices = m_complex.arcs[arc];
-    if(m_complex.is_loop[arc])
-      return vertices;
-    return vertices.size() <= 2 ? std::vector<int>() : std::vector<int>(vertices.begin() + 1, vertices.end() - 1);
+    std::vector<int> result;
+    for(const int v : m_complex.arcs[arc])
+      if(m_complex.vertices[v].arc == arc)
+        result.push_back(v);
+    return result;
   }
 
   void release(const int arc)

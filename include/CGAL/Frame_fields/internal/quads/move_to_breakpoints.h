@@ -136,6 +136,21 @@ inline void move_to_goals(const std::vector<int>& chosen, const std::vector<doub
   }
 }
 
+// For each goal the nearest point that is behind that of the goal before and leaves enough points for the other goals.
+inline std::vector<int> nearest_points_in_turn(const std::vector<double>& points, const std::vector<double>& goals)
+{
+  const int n = static_cast<int>(points.size()), m = static_cast<int>(goals.size());
+  std::vector<int> result;
+  for(int g = 0; g < m; ++g)
+  {
+    int nearest = static_cast<int>(std::lower_bound(points.begin(), points.end(), goals[g]) - points.begin());
+    if(nearest > 0 && (nearest == n || goals[g] - points[nearest - 1] < points[nearest] - goals[g]))
+      --nearest;
+    result.push_back((std::min)((std::max)(nearest, result.empty() ? 0 : result.back() + 1), n - m + g));
+  }
+  return result;
+}
+
 // Moves to each breakpoint of an arc a different point near it, and stretches the other points between them. Does
 // nothing if there are fewer points than breakpoints. Points are lengths from the beginning of the arc, in increasing
 // order.
@@ -147,8 +162,7 @@ inline void move_to_breakpoints(const Arc_points& arc_points, const int arc, con
     return;
   const double whole = arc_points.length(arc);
   const std::vector<double> goals = lengths_of_breakpoints(arc_points, arc, is_loop, breakpoints, points);
-  const std::vector<double> places = places_among_points(points, goals, is_loop, whole);
-  move_to_goals(points_near_places(places, n), goals, is_loop, whole, points);
+  move_to_goals(nearest_points_in_turn(points, goals), goals, is_loop, whole, points);
 }
 
 } // namespace internal
