@@ -43,6 +43,13 @@ struct Slide
   Coordinates point;
 };
 
+// What a slide makes of the corners of a vertex: the shapes of their quads, and the normals there.
+struct Slid_corners
+{
+  std::vector<Quad_shape> shapes;
+  std::vector<Coordinates> normals;
+};
+
 // A quad mesh whose vertices slide on the surface, with the shapes of its quads. `arc_tolerance` is in the unit of the
 // embedding's points. The complex must outlive the object, and changes with it.
 class Sliding_quads
@@ -191,6 +198,21 @@ public:
     return result;
   }
 
+  // The same, kept for `move()`.
+  Quad_shape shape_around(const int vertex, const Slide& slide, Slid_corners& slid) const
+  {
+    slid.shapes.clear();
+    slid.normals.clear();
+    Quad_shape result = no_shape();
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    {
+      slid.normals.push_back(m_normals.normal_after(slide.location, *c));
+      slid.shapes.push_back(shape_after(*c, slide, slid.normals.back()));
+      add(slid.shapes.back(), result);
+    }
+    return result;
+  }
+
   // Whether a slide inverts a quad that is not inverted.
   bool inverts_quad(const int vertex, const Slide& slide) const
   {
@@ -202,10 +224,18 @@ public:
 
   void move(const int vertex, const Slide& slide)
   {
-    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    Slid_corners slid;
+    shape_around(vertex, slide, slid);
+    move(vertex, slide, slid);
+  }
+
+  void move(const int vertex, const Slide& slide, const Slid_corners& slid)
+  {
+    const int* const corner = corners_begin(vertex);
+    for(std::size_t i = 0; i < slid.shapes.size(); ++i)
     {
-      m_shape[*c / 4] = shape_after(*c, slide);
-      m_normals.set_normal(*c, m_normals.normal_after(slide.location, *c));
+      m_shape[corner[i] / 4] = slid.shapes[i];
+      m_normals.set_normal(corner[i], slid.normals[i]);
     }
     Quad_vertex& v = m_complex.vertices[vertex];
     v.location = slide.location;
@@ -230,12 +260,15 @@ private:
 
   Quad_shape shape_after(const int corner, const Slide& slide) const
   {
+    return shape_after(corner, slide, m_normals.normal_after(slide.location, corner));
+  }
+
+  Quad_shape shape_after(const int corner, const Slide& slide, const Coordinates& normal_after) const
+  {
     const int quad = corner / 4;
     Quad_points moved = points(quad);
     moved[corner % 4] = slide.point;
-    const Coordinates normal =
-      surface_normal(quad) - m_normals.normal(corner) + m_normals.normal_after(slide.location, corner);
-    return quad_shape(moved, normal);
+    return quad_shape(moved, surface_normal(quad) - m_normals.normal(corner) + normal_after);
   }
 
   // Whether the two sides on the arc at a vertex still follow it if the vertex slides to a length. `range` has the

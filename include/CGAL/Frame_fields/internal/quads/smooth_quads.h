@@ -80,7 +80,7 @@ public:
   // Only the given vertices move.
   Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices)
     : m_quads(quads), m_vertices(vertices), m_inside(quads.surface().patches.size())
-    , m_last_move(quads.number_of_vertices(), 0)
+    , m_last_change(quads.number_of_quads(), 0)
   {
     for(const int v : vertices)
       if(quads.freedom(v) == Sliding_quads::IN_PATCH)
@@ -93,8 +93,8 @@ public:
     for(const int v : m_vertices)
       if(m_quads.freedom(v) == Sliding_quads::ON_ARC)
         on_arcs.push_back(v);
-    ++m_sweep; // with this as the last move of all vertices, all may move in the first sweep
-    std::fill(m_last_move.begin(), m_last_move.end(), m_sweep);
+    ++m_sweep; // with this as the last change of all quads, all vertices may move in the first sweep
+    std::fill(m_last_change.begin(), m_last_change.end(), m_sweep);
     for(int i = 0; i < number_of_sweeps; ++i)
     {
       ++m_sweep;
@@ -114,29 +114,29 @@ public:
   }
 
 private:
-  // Whether a vertex of its quads moved in this sweep or the one before.
+  // Whether its quads changed in this sweep or the one before.
   bool may_move(const int vertex) const
   {
-    for(const int* c = m_quads.corners_begin(vertex); c != m_quads.corners_end(vertex); ++c)
-      for(const int w : m_quads.quad(*c / 4))
-        if(m_last_move[w] + 1 >= m_sweep)
-          return true;
-    return false;
+    return std::any_of(m_quads.corners_begin(vertex), m_quads.corners_end(vertex), [&](const int c)
+                       { return m_last_change[c / 4] + 1 >= m_sweep; });
   }
 
   bool improve(const std::vector<int>& vertices)
   {
     bool has_moved = false;
+    Slid_corners slid;
     for(const int v : vertices)
-      if(may_move(v) && improve(v))
+      if(may_move(v) && improve(v, slid))
       {
-        m_last_move[v] = m_sweep;
+        for(const int* c = m_quads.corners_begin(v); c != m_quads.corners_end(v); ++c)
+          m_last_change[*c / 4] = m_sweep;
         has_moved = true;
       }
     return has_moved;
   }
 
-  bool improve(const int vertex)
+  // `slid` is overwritten.
+  bool improve(const int vertex, Slid_corners& slid)
   {
     const int maximum_number_of_halvings = 3;
     const bool is_on_arc = m_quads.freedom(vertex) == Sliding_quads::ON_ARC;
@@ -154,9 +154,9 @@ private:
         continue;
       if(is_negligible(vertex, slide))
         return false;
-      if(is_better(vertex, slide, old_shape))
+      if(is_better(vertex, slide, old_shape, slid))
       {
-        m_quads.move(vertex, slide);
+        m_quads.move(vertex, slide, slid);
         return true;
       }
     }
@@ -174,9 +174,9 @@ private:
     return dot(step, step) <= smallest_step * smallest_step * dot(edge, edge);
   }
 
-  bool is_better(const int vertex, const Slide& slide, const Quad_shape& old_shape) const
+  bool is_better(const int vertex, const Slide& slide, const Quad_shape& old_shape, Slid_corners& slid) const
   {
-    const Quad_shape shape = m_quads.shape_around(vertex, slide);
+    const Quad_shape shape = m_quads.shape_around(vertex, slide, slid);
     if(!std::isfinite(old_shape.distortion))
       return shape.scaled_jacobian > old_shape.scaled_jacobian && !m_quads.inverts_quad(vertex, slide);
     return shape.distortion < old_shape.distortion
@@ -188,7 +188,7 @@ private:
   std::vector<std::vector<int> > m_inside; // per patch
   double m_acceptable = 0;
   int m_sweep = 0;
-  std::vector<int> m_last_move; // per vertex: the sweep
+  std::vector<int> m_last_change; // per quad: the sweep
 };
 
 // Untangles, improves the worst quads and sweeps, in rounds. Only the given vertices move, but untangling moves those
