@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -69,6 +70,7 @@ public:
       m_point.push_back(m_walker.point(v.location));
     for(std::size_t q = 0; q < complex.quads.size(); ++q)
       m_shape.push_back(quad_shape(points(static_cast<int>(q)), surface_normal(static_cast<int>(q))));
+    m_number_of_changes.assign(complex.quads.size(), 0);
   }
 
   int number_of_vertices() const { return static_cast<int>(m_complex.vertices.size()); }
@@ -131,6 +133,15 @@ public:
     const Coordinates edge = m_walker.target(h) - m_walker.target(previous_of(h));
     const double norm = length(edge);
     return norm > 0 ? 1 / norm * edge : edge;
+  }
+
+  // A number that grows with each change of the quads at a vertex.
+  std::int64_t number_of_changes(const int vertex) const
+  {
+    std::int64_t sum = 0;
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+      sum += m_number_of_changes[*c / 4];
+    return sum;
   }
 
   double worst() const
@@ -235,6 +246,7 @@ public:
     for(std::size_t i = 0; i < slid.shapes.size(); ++i)
     {
       m_shape[corner[i] / 4] = slid.shapes[i];
+      ++m_number_of_changes[corner[i] / 4];
       m_normals.set_normal(corner[i], slid.normals[i]);
     }
     Quad_vertex& v = m_complex.vertices[vertex];
@@ -316,6 +328,7 @@ private:
   std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in `m_corner`
   std::vector<Coordinates> m_point;          // per vertex
   std::vector<Quad_shape> m_shape;           // per quad
+  std::vector<int> m_number_of_changes;      // per quad
 };
 
 } // namespace internal

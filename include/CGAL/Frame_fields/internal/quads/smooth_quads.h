@@ -31,6 +31,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -49,6 +51,14 @@ struct Smoothing_options
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
   double passable = 0.6;                    // the same in the first sweeps
   double bad = 0.3;                         // below this scaled Jacobian, the worst quad of a vertex is raised alone
+};
+
+// What the smoothing around inverted quads has left, of the patches that are not left out.
+struct Inverted_quads
+{
+  std::vector<int> quads;
+  std::vector<std::size_t> number_before_round; // how many there were before each round
+  bool is_beaten = false;                      // the smoothing stopped as a rival had fewer of them
 };
 
 struct Smoothing_report
@@ -191,43 +201,62 @@ private:
   std::vector<int> m_last_change; // per quad: the sweep
 };
 
+// The inverted quads of patches that are not left out (a flag per patch).
+inline std::vector<int> inverted_quads(const Sliding_quads& quads, const std::vector<char>& is_patch_left_out)
+{
+  std::vector<int> result = inverted_quads(quads);
+  result.erase(std::remove_if(result.begin(), result.end(), [&](const int q)
+                              { return is_patch_left_out[quads.patch(q)] != 0; }), result.end());
+  return result;
+}
+
 // Untangles, improves the worst quads and sweeps, in rounds. Only the given vertices move, but untangling moves those
-// of the tangled parts.
-template <typename ConcurrencyTag>
+// of the tangled parts. Calls `goes_on()` before each round, and stops if it returns false.
+template <typename ConcurrencyTag, typename GoesOn>
 void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
-                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options,
+                     const GoesOn& goes_on)
 {
   Distortion_sweeps<ConcurrencyTag> sweeps(quads, vertices);
+  std::vector<std::int64_t> tried(quads.number_of_vertices(), -1);
   bool may_untangle = options.untangles && untangle_quads(quads, is_patch_left_out);
   sweeps.run(options.number_of_sweeps, options.passable);
-  for(int round = 0; round < options.number_of_rounds; ++round)
+  for(int round = 0; round < options.number_of_rounds && goes_on(); ++round)
   {
     if(options.may_release_bends)
       for(const int v : tangled_vertices(quads, is_patch_left_out))
         may_untangle |= quads.release(v);
     may_untangle = may_untangle && untangle_quads(quads, is_patch_left_out);
-    const bool has_improved = improve_worst_quads(quads, vertices, options.bad);
+    const bool has_improved = improve_worst_quads(quads, vertices, options.bad, tried);
     sweeps.run(options.number_of_sweeps / 2, options.good_enough);
     if(!may_untangle && !has_improved)
       break;
   }
 }
 
-// Smooths only around inverted quads of patches that are not left out (a flag per patch). Returns those of these
-// patches that are inverted afterward.
+// Smooths only around inverted quads of patches that are not left out (a flag per patch). Stops early once a quarter
+// more quads are inverted than `rival` had before the same round.
 template <typename ConcurrencyTag>
-std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
-                                       const Surface_embedding& embedding, const Feature_network& network,
-                                       const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+Inverted_quads smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
+                                     const Surface_embedding& embedding, const Feature_network& network,
+                                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options,
+                                     const Inverted_quads& rival = Inverted_quads())
 {
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   const std::vector<int> vertices = tangled_vertices(quads, is_patch_left_out);
+  Inverted_quads result;
+  const auto is_not_beaten = [&]
+  {
+    const std::size_t round = result.number_before_round.size();
+    const std::size_t number = inverted_quads(quads, is_patch_left_out).size();
+    result.number_before_round.push_back(number);
+    result.is_beaten =
+      round < rival.number_before_round.size() && 4 * number > 5 * rival.number_before_round[round];
+    return !result.is_beaten;
+  };
   if(!vertices.empty())
-    smooth_vertices<ConcurrencyTag>(quads, vertices, is_patch_left_out, options);
-  std::vector<int> result;
-  for(const int q : inverted_quads(quads))
-    if(!is_patch_left_out[complex.patch[q]])
-      result.push_back(q);
+    smooth_vertices<ConcurrencyTag>(quads, vertices, is_patch_left_out, options, is_not_beaten);
+  result.quads = inverted_quads(quads, is_patch_left_out);
   return result;
 }
 
@@ -245,7 +274,8 @@ Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const
   report.inverted_before = static_cast<int>(inverted_quads(quads).size());
   std::vector<int> vertices(quads.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  smooth_vertices<ConcurrencyTag>(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
+  smooth_vertices<ConcurrencyTag>(quads, vertices, std::vector<char>(surface.patches.size(), 0), options,
+                                  [] { return true; });
   report.worst_after = quads.worst();
   report.inverted_quads = inverted_quads(quads);
   return report;

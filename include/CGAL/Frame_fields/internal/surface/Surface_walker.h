@@ -168,13 +168,11 @@ private:
   std::array<double, 3> change_of_weights(const int face, const Coordinates& displacement) const
   {
     const int h = 3 * face;
-    const Edge_chart& chart = m_chart[h];
-    if(!(chart.length > 0 && chart.height > 0))
+    const Coordinates edge = target(h) - target(previous_of(h));
+    const double l = m_chart[h].length;
+    if(!(l > 0))
       return { 0, 0, 0 };
-    const Coordinates edge = 1 / chart.length * (target(h) - target(h + 2));
-    const double of_apex = dot(cross(m_normal[face], edge), displacement) / chart.height;
-    const double of_target = (dot(edge, displacement) - chart.along * of_apex) / chart.length;
-    return { of_target, of_apex, -of_apex - of_target };
+    return change_of_weights(h, dot(edge, displacement) / l, dot(cross(m_normal[face], edge), displacement) / l);
   }
 
   // Goes to the face on the other side of a halfedge with the fraction `rest` of the walk that is left. Returns false
