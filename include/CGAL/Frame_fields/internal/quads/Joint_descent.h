@@ -34,7 +34,7 @@ struct Corner_energy
 {
   Corner_energy(const double s, const double t, const double epsilon)
   {
-    const double root = std::sqrt(t * t + epsilon * epsilon);
+    const double root = std::hypot(t, epsilon);
     const double twice_chi = t >= 0 ? t + root : epsilon * epsilon / (root - t); // without cancellation
     if(!(twice_chi > 0)) // all of the quad is at one point
       return;

@@ -17,6 +17,7 @@
 #include <CGAL/Frame_fields/internal/surface/Face_charts.h>
 #include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 #include <CGAL/Frame_fields/internal/surface/corner_angles.h>
+#include <CGAL/Frame_fields/internal/surface/face_basis.h>
 
 #include <algorithm>
 #include <array>
@@ -49,15 +50,11 @@ public:
       normal = face_normal;
       norm = std::sqrt(dot(normal, normal));
     }
-    if(!(norm > 0))
-      return;
-    normal = 1 / norm * normal;
-    const int k = std::abs(normal[0]) < 0.5 ? 0 : std::abs(normal[1]) < 0.5 ? 1 : 2; // an axis that is far from it
-    Coordinates axis{ 0, 0, 0 };
-    axis[k] = 1;
-    m_x = cross(normal, axis);
-    m_x = 1 / std::sqrt(dot(m_x, m_x)) * m_x;
-    m_y = cross(normal, m_x);
+    if(norm > 0)
+    {
+      m_x = perpendicular(1 / norm * normal);
+      m_y = 1 / norm * cross(normal, m_x);
+    }
   }
 
   Plane_vector coordinates(const Coordinates& point) const { return tangential(point - m_origin); }
@@ -88,15 +85,15 @@ public:
     const double ss = dot(s.vector, s.vector), tt = dot(t.vector, t.vector);
     if(!(area > 1e-9 * (ss + tt)))
       return false;
-    const double weight_of_lengths = 1 - weight_of_side_ratio, lengths = std::sqrt(ss * tt);
-    const double moving_s = s.moves ? weight_of_side_ratio + weight_of_lengths * (lengths / ss) : 0;
-    const double moving_t = t.moves ? weight_of_side_ratio + weight_of_lengths * (lengths / tt) : 0;
-    const double squares = weight_of_side_ratio * (ss + tt) + 2 * weight_of_lengths * lengths;
-    const double second_derivative = 2 * (moving_s + moving_t);
+    const double length_ratio = std::sqrt(tt / ss);
+    const double weight_s = weight_of_side_ratio + (1 - weight_of_side_ratio) * length_ratio;
+    const double weight_t = weight_of_side_ratio + (1 - weight_of_side_ratio) / length_ratio;
+    const double moving_s = s.moves ? weight_s : 0, moving_t = t.moves ? weight_t : 0;
+    const double squares = weight_s * ss + weight_t * tt, second_derivative = 2 * (moving_s + moving_t);
     const Plane_vector gradient = -2. * (moving_s * s.vector + moving_t * t.vector);
-    const double inverse_area = 1 / area, inverse = inverse_area / 2;
+    const double inverse = 1 / (2 * area), ratio = squares / area;
     // With w = s' - s t' / t and u = t' / t the derivatives of s / t are w / t and (s'' - w u - u w) / t.
-    const Plane_vector u = inverse_area * area_gradient, w = gradient - squares * u;
+    const Plane_vector w = gradient - ratio * area_gradient, u = 1 / area * area_gradient;
     m_gradient = m_gradient + inverse * w;
     m_xx += inverse * (second_derivative - 2 * w.x * u.x);
     m_yy += inverse * (second_derivative - 2 * w.y * u.y);

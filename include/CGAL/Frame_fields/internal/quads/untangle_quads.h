@@ -87,11 +87,11 @@ private:
   }
 
   // In small parts, more quads may be inverted on the way to none. Large ones, which take the most time, do not recover
-  // once half as many more are.
+  // once a quarter more are.
   bool is_hopeless(const int old_number_of_inverted, const int number_of_inverted) const
   {
-    const std::size_t least_number_of_vertices = 500;
-    return m_vertices.size() >= least_number_of_vertices && 2 * number_of_inverted > 3 * old_number_of_inverted;
+    const std::size_t least_number_of_vertices = 1000;
+    return m_vertices.size() >= least_number_of_vertices && 4 * number_of_inverted > 5 * old_number_of_inverted;
   }
 
   // Each corner has its own scale, so that those with a short side count as well.
