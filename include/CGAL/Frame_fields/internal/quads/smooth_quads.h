@@ -58,7 +58,7 @@ struct Inverted_quads
 {
   std::vector<int> quads;
   std::vector<std::size_t> number_before_round; // how many there were before each round
-  bool is_beaten = false;                      // the smoothing stopped as a rival had fewer of them
+  bool is_beaten = false;                       // the smoothing stopped as a rival had fewer of them
 };
 
 struct Smoothing_report
