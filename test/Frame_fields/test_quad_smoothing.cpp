@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -282,7 +283,10 @@ void run_step(const int step, Sliding_quads& quads)
   if(step % 3 == 0)
     Distortion_sweeps<CGAL::Sequential_tag>(quads, vertices).run(1, 0.6);
   else if(step % 3 == 1)
-    improve_worst_quads(quads, vertices, 0.5);
+  {
+    std::vector<std::int64_t> tried(quads.number_of_vertices(), -1);
+    improve_worst_quads(quads, vertices, 0.5, tried);
+  }
   else
     untangle_quads(quads, { 0 });
 }
@@ -424,17 +428,102 @@ TEST(Quad_smoothing, thin_rows_become_wider)
   EXPECT_GT(s.points(complex)[6 * 13 + 1][0], 0.9);
 }
 
+void expect_same_places(const Quad_complex& first, const Quad_complex& second)
+{
+  for(std::size_t v = 0; v < first.vertices.size(); ++v)
+  {
+    EXPECT_EQ(first.vertices[v].location.face, second.vertices[v].location.face);
+    EXPECT_EQ(first.vertices[v].location.barycentric, second.vertices[v].location.barycentric);
+  }
+}
+
 TEST(Quad_smoothing, result_is_the_same_every_time)
 {
   const Smoothing_case c = smoothing_cases()[0];
   Quad_complex first = scattered(c.surface, c.quads, 0.7, 5), second = first;
   smooth(first, c.surface.surface, c.surface.embedding, c.surface.network);
   smooth(second, c.surface.surface, c.surface.embedding, c.surface.network);
-  for(std::size_t v = 0; v < first.vertices.size(); ++v)
+  expect_same_places(first, second);
+}
+
+// Between sweeps, vertices that were tried in vain are left out until their quads change. That changes no result.
+TEST(Quad_smoothing, vertices_tried_in_vain_would_not_move)
+{
+  for(const Smoothing_case& c : smoothing_cases())
+    for(unsigned seed = 0; seed < 4; ++seed)
+    {
+      SCOPED_TRACE(c.name + " " + std::to_string(seed));
+      Quad_complex first = scattered(c.surface, c.quads, 0.3 + 0.2 * seed, seed), second = first;
+      Sliding_quads remembers(first, c.surface.surface, c.surface.embedding, c.surface.network);
+      Sliding_quads forgets(second, c.surface.surface, c.surface.embedding, c.surface.network);
+      std::vector<int> vertices(remembers.number_of_vertices());
+      std::iota(vertices.begin(), vertices.end(), 0);
+      const std::vector<std::int64_t> no_changes(vertices.size(), -1);
+      std::vector<std::int64_t> tried = no_changes;
+      for(int round = 0; round < 4; ++round)
+      {
+        std::vector<std::int64_t> untried = no_changes;
+        EXPECT_EQ(improve_worst_quads(remembers, vertices, 0.9, tried),
+                  improve_worst_quads(forgets, vertices, 0.9, untried));
+        expect_same_places(first, second);
+        run_step(0, remembers);
+        run_step(0, forgets);
+      }
+      EXPECT_NE(tried, no_changes);
+    }
+}
+
+// The shapes that slides leave are those of the quads where they are.
+TEST(Quad_smoothing, shapes_keep_up_with_slides)
+{
+  for(const Smoothing_case& c : smoothing_cases())
   {
-    EXPECT_EQ(first.vertices[v].location.face, second.vertices[v].location.face);
-    EXPECT_EQ(first.vertices[v].location.barycentric, second.vertices[v].location.barycentric);
+    Quad_complex complex = scattered(c.surface, c.quads, 0.5, 3);
+    Sliding_quads quads(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+    for(int step = 0; step < 6; ++step)
+      run_step(step, quads);
+    const Sliding_quads fresh(complex, c.surface.surface, c.surface.embedding, c.surface.network);
+    for(int q = 0; q < quads.number_of_quads(); ++q)
+    {
+      EXPECT_NEAR(quads.shape(q).scaled_jacobian, fresh.shape(q).scaled_jacobian, 1e-9) << c.name;
+      EXPECT_NEAR(quads.shape(q).distortion, fresh.shape(q).distortion, 1e-6) << c.name;
+    }
   }
+}
+
+// Smoothing stops before the first round in which a quarter more quads are inverted than in that of a rival.
+TEST(Quad_smoothing, stops_once_a_rival_has_beaten_it)
+{
+  const Smoothing_case square = smoothing_cases().front();
+  const Quad_surface& s = square.surface;
+  Quad_complex twisted = scattered(s, square.quads, 0.7, 5);
+  for(const int q : { 0, 10 })
+    std::swap(twisted.quads[q][1], twisted.quads[q][3]); // clockwise, the one in the corner for good
+  const auto smoothed = [&](const int number_of_rounds, const Inverted_quads& rival, Quad_complex& complex)
+  {
+    complex = twisted;
+    Smoothing_options options;
+    options.number_of_rounds = number_of_rounds;
+    options.untangles = false;
+    return smooth_inverted_quads<CGAL::Sequential_tag>(complex, s.surface, s.embedding, s.network, { 0 }, options,
+                                                       rival);
+  };
+  Quad_complex whole, without_rounds, complex;
+  const Inverted_quads reference = smoothed(3, Inverted_quads(), whole);
+  ASSERT_GT(reference.number_before_round.size(), 1u);
+  ASSERT_GT(reference.number_before_round[0], 0u);
+  EXPECT_EQ(smoothed(0, Inverted_quads(), without_rounds).number_before_round.size(), 0u);
+
+  const Inverted_quads as_good = smoothed(3, reference, complex);
+  EXPECT_EQ(as_good.number_before_round, reference.number_before_round);
+  EXPECT_FALSE(as_good.is_beaten);
+  expect_same_places(complex, whole);
+  Inverted_quads rival = reference;
+  rival.number_before_round[0] = 0;
+  const Inverted_quads beaten = smoothed(3, rival, complex);
+  EXPECT_EQ(beaten.number_before_round.size(), 1u);
+  EXPECT_TRUE(beaten.is_beaten);
+  expect_same_places(complex, without_rounds);
 }
 
 // A ring of quads between the two circles of an annulus, all of whose vertices are kept. If the outer ones are turned

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -41,6 +42,13 @@ struct Slide
   Surface_location location;
   double length;      // on an arc: from its start
   Coordinates point;
+};
+
+// What a slide makes of the corners of a vertex: the shapes of their quads, and the normals there.
+struct Slid_corners
+{
+  std::vector<Quad_shape> shapes;
+  std::vector<Coordinates> normals;
 };
 
 // A quad mesh whose vertices slide on the surface, with the shapes of its quads. `arc_tolerance` is in the unit of the
@@ -62,6 +70,7 @@ public:
       m_point.push_back(m_walker.point(v.location));
     for(std::size_t q = 0; q < complex.quads.size(); ++q)
       m_shape.push_back(quad_shape(points(static_cast<int>(q)), surface_normal(static_cast<int>(q))));
+    m_number_of_changes.assign(complex.quads.size(), 0);
   }
 
   int number_of_vertices() const { return static_cast<int>(m_complex.vertices.size()); }
@@ -124,6 +133,15 @@ public:
     const Coordinates edge = m_walker.target(h) - m_walker.target(previous_of(h));
     const double norm = length(edge);
     return norm > 0 ? 1 / norm * edge : edge;
+  }
+
+  // A number that grows with each change of the quads at a vertex.
+  std::int64_t number_of_changes(const int vertex) const
+  {
+    std::int64_t sum = 0;
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+      sum += m_number_of_changes[*c / 4];
+    return sum;
   }
 
   double worst() const
@@ -191,6 +209,21 @@ public:
     return result;
   }
 
+  // The same, kept for `move()`.
+  Quad_shape shape_around(const int vertex, const Slide& slide, Slid_corners& slid) const
+  {
+    slid.shapes.clear();
+    slid.normals.clear();
+    Quad_shape result = no_shape();
+    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    {
+      slid.normals.push_back(m_normals.normal_after(slide.location, *c));
+      slid.shapes.push_back(shape_after(*c, slide, slid.normals.back()));
+      add(slid.shapes.back(), result);
+    }
+    return result;
+  }
+
   // Whether a slide inverts a quad that is not inverted.
   bool inverts_quad(const int vertex, const Slide& slide) const
   {
@@ -202,10 +235,19 @@ public:
 
   void move(const int vertex, const Slide& slide)
   {
-    for(const int* c = corners_begin(vertex); c != corners_end(vertex); ++c)
+    Slid_corners slid;
+    shape_around(vertex, slide, slid);
+    move(vertex, slide, slid);
+  }
+
+  void move(const int vertex, const Slide& slide, const Slid_corners& slid)
+  {
+    const int* const corner = corners_begin(vertex);
+    for(std::size_t i = 0; i < slid.shapes.size(); ++i)
     {
-      m_shape[*c / 4] = shape_after(*c, slide);
-      m_normals.set_normal(*c, m_normals.normal_after(slide.location, *c));
+      m_shape[corner[i] / 4] = slid.shapes[i];
+      ++m_number_of_changes[corner[i] / 4];
+      m_normals.set_normal(corner[i], slid.normals[i]);
     }
     Quad_vertex& v = m_complex.vertices[vertex];
     v.location = slide.location;
@@ -230,12 +272,15 @@ private:
 
   Quad_shape shape_after(const int corner, const Slide& slide) const
   {
+    return shape_after(corner, slide, m_normals.normal_after(slide.location, corner));
+  }
+
+  Quad_shape shape_after(const int corner, const Slide& slide, const Coordinates& normal_after) const
+  {
     const int quad = corner / 4;
     Quad_points moved = points(quad);
     moved[corner % 4] = slide.point;
-    const Coordinates normal =
-      surface_normal(quad) - m_normals.normal(corner) + m_normals.normal_after(slide.location, corner);
-    return quad_shape(moved, normal);
+    return quad_shape(moved, surface_normal(quad) - m_normals.normal(corner) + normal_after);
   }
 
   // Whether the two sides on the arc at a vertex still follow it if the vertex slides to a length. `range` has the
@@ -283,6 +328,7 @@ private:
   std::vector<int> m_first_corner, m_corner; // per vertex: its first entry in `m_corner`
   std::vector<Coordinates> m_point;          // per vertex
   std::vector<Quad_shape> m_shape;           // per quad
+  std::vector<int> m_number_of_changes;      // per quad
 };
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -109,8 +110,11 @@ inline bool raise_worst_quad_of_vertex(Sliding_quads& quads, const int vertex)
 }
 
 // Moves the vertices of the list that have a quad with a scaled Jacobian below `bound`, one by one, to raise it.
-// Returns whether any moved. After the first sweep, only vertices are tried again whose quads have changed.
-inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& vertices, const double bound)
+// Returns whether any moved. After the first sweep, only vertices are tried again whose quads have changed. `tried` has
+// an entry per vertex of all quads, at first -1: the changes of its quads when it was last tried in vain. It is not
+// tried again before they change.
+inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& vertices, const double bound,
+                                std::vector<std::int64_t>& tried)
 {
   const int number_of_sweeps = 5;
   std::vector<int> last_change(quads.number_of_quads(), 0); // per quad: the sweep
@@ -123,8 +127,13 @@ inline bool improve_worst_quads(Sliding_quads& quads, const std::vector<int>& ve
       const bool has_changed = std::any_of(quads.corners_begin(v), quads.corners_end(v), [&](const int c)
                                            { return last_change[c / 4] + 1 >= sweep; });
       if(!has_changed || quads.freedom(v) == Sliding_quads::FIXED || quads.shape_around(v).scaled_jacobian >= bound
-         || !raise_worst_quad_of_vertex(quads, v))
+         || tried[v] == quads.number_of_changes(v))
         continue;
+      if(!raise_worst_quad_of_vertex(quads, v))
+      {
+        tried[v] = quads.number_of_changes(v);
+        continue;
+      }
       has_improved = true;
       for(const int* c = quads.corners_begin(v); c != quads.corners_end(v); ++c)
         last_change[*c / 4] = sweep;

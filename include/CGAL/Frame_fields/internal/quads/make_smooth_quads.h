@@ -79,22 +79,23 @@ bool is_valid_without_bends(Refined_quads& quads, const Cut_surface& surface, co
   Smoothing_options options = smoothing_through_poor_shapes();
   options.arc_tolerance = quads.arc_tolerance;
   return smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, quads.is_filled,
-                                               options).empty();
+                                               options).quads.empty();
 }
 
 // Tries another start where quads stay inverted: moves the vertices of their patches to integer-grid maps and smooths
-// there again. Keeps what has fewer inverted quads and returns these. On many faces this would take too long.
+// there again. Keeps what has fewer inverted quads and returns these. On many faces this would take too long. With
+// `stops_early`, the smoothing stops once it has fallen behind the first one.
 template <typename ConcurrencyTag, typename SolverTraits>
-std::vector<int> restart_on_integer_grids(const Cut_surface& surface, const Surface_embedding& embedding,
-                                          const std::vector<int>& index, const Feature_network& features,
-                                          const Seamless_map& map, const std::vector<T_mesh>& t_meshes,
-                                          const Quad_maker& maker, const Smoothing_options& options,
-                                          const SolverTraits& solver_traits, const std::vector<int>& inverted,
-                                          Refined_quads& quads)
+Inverted_quads restart_on_integer_grids(const Cut_surface& surface, const Surface_embedding& embedding,
+                                        const std::vector<int>& index, const Feature_network& features,
+                                        const Seamless_map& map, const std::vector<T_mesh>& t_meshes,
+                                        const Quad_maker& maker, const Smoothing_options& options,
+                                        const SolverTraits& solver_traits, const Inverted_quads& inverted,
+                                        const bool stops_early, Refined_quads& quads)
 {
   const int maximum_number_of_faces = 100000;
   std::vector<char> is_restarted(t_meshes.size(), 0);
-  for(const int q : inverted)
+  for(const int q : inverted.quads)
   {
     const int patch = quads.complex.patch[q];
     is_restarted[patch] = surface.patches[patch].faces.size() <= maximum_number_of_faces;
@@ -103,9 +104,10 @@ std::vector<int> restart_on_integer_grids(const Cut_surface& surface, const Surf
   if(place_on_integer_grids<ConcurrencyTag>(surface, index, map, t_meshes, maker, is_restarted, solver_traits,
                                             complex) == 0)
     return inverted;
-  const std::vector<int> still_inverted =
-    smooth_inverted_quads<ConcurrencyTag>(complex, surface, embedding, features, quads.is_filled, options);
-  if(still_inverted.size() >= inverted.size())
+  const Inverted_quads still_inverted =
+    smooth_inverted_quads<ConcurrencyTag>(complex, surface, embedding, features, quads.is_filled, options,
+                                          stops_early ? inverted : Inverted_quads());
+  if(still_inverted.quads.size() >= inverted.quads.size())
     return inverted;
   quads.complex = std::move(complex);
   return still_inverted;
@@ -136,7 +138,8 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
   Smoothing_options options = smoothing_through_poor_shapes();
   options.may_release_bends = false;
   Refined_quads best;
-  std::size_t least_number_of_inverted = 0, number_of_quads_in_vain = 0;
+  Inverted_quads least; // of `best`
+  std::size_t number_of_quads_in_vain = 0;
   for(int refinement = 0; ; ++refinement)
   {
     clock.start(Quad_stage::QUANTIZATION);
@@ -146,18 +149,21 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
     next.arc_tolerance = maker.layout().arc_tolerance() * (least_edge_length / request.edge_length);
     clock.start(Quad_stage::SMOOTHING);
     options.arc_tolerance = next.arc_tolerance;
-    std::vector<int> inverted =
-      smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options);
-    if(!inverted.empty())
-      inverted = restart_on_integer_grids<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, maker,
-                                                          options, solver_traits, inverted, next);
-    const bool is_better = refinement == 0 || inverted.size() < least_number_of_inverted;
-    const bool are_few_quads = next.complex.quads.size() <= 10 * inverted.size();
-    const bool is_in_vain = refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least_number_of_inverted;
     const std::size_t number_of_quads = next.complex.quads.size();
+    const bool may_be_last = number_of_quads > maximum_number_of_quads_in_vain; // so a vain one need not be finished
+    const Inverted_quads rival = may_be_last ? least : Inverted_quads();
+    Inverted_quads remaining =
+      smooth_inverted_quads<ConcurrencyTag>(next.complex, surface, embedding, features, next.is_filled, options, rival);
+    if(!remaining.quads.empty() && !remaining.is_beaten)
+      remaining = restart_on_integer_grids<ConcurrencyTag>(surface, embedding, index, features, map, t_meshes, maker,
+                                                           options, solver_traits, remaining, may_be_last, next);
+    const std::vector<int>& inverted = remaining.quads;
+    const bool is_better = refinement == 0 || inverted.size() < least.quads.size();
+    const bool are_few_quads = number_of_quads <= 10 * inverted.size();
+    const bool is_in_vain = refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least.quads.size();
     const Quad_complex& refined = is_better ? (best = std::move(next)).complex : next.complex;
     if(is_better)
-      least_number_of_inverted = inverted.size();
+      least = remaining;
     const bool is_first_in_vain = is_in_vain && number_of_quads_in_vain == 0;
     if(!inverted.empty() && (refinement == 0 || is_first_in_vain)
        && number_of_quads <= maximum_number_of_quads_in_vain)

@@ -31,6 +31,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -49,6 +51,14 @@ struct Smoothing_options
   double good_enough = 0.6;                 // quads may get worse down to this scaled Jacobian for a smaller distortion
   double passable = 0.6;                    // the same in the first sweeps
   double bad = 0.3;                         // below this scaled Jacobian, the worst quad of a vertex is raised alone
+};
+
+// What the smoothing around inverted quads has left, of the patches that are not left out.
+struct Inverted_quads
+{
+  std::vector<int> quads;
+  std::vector<std::size_t> number_before_round; // how many there were before each round
+  bool is_beaten = false;                       // the smoothing stopped as a rival had fewer of them
 };
 
 struct Smoothing_report
@@ -80,7 +90,7 @@ public:
   // Only the given vertices move.
   Distortion_sweeps(Sliding_quads& quads, const std::vector<int>& vertices)
     : m_quads(quads), m_vertices(vertices), m_inside(quads.surface().patches.size())
-    , m_last_move(quads.number_of_vertices(), 0)
+    , m_last_change(quads.number_of_quads(), 0)
   {
     for(const int v : vertices)
       if(quads.freedom(v) == Sliding_quads::IN_PATCH)
@@ -93,8 +103,8 @@ public:
     for(const int v : m_vertices)
       if(m_quads.freedom(v) == Sliding_quads::ON_ARC)
         on_arcs.push_back(v);
-    ++m_sweep; // with this as the last move of all vertices, all may move in the first sweep
-    std::fill(m_last_move.begin(), m_last_move.end(), m_sweep);
+    ++m_sweep; // with this as the last change of all quads, all vertices may move in the first sweep
+    std::fill(m_last_change.begin(), m_last_change.end(), m_sweep);
     for(int i = 0; i < number_of_sweeps; ++i)
     {
       ++m_sweep;
@@ -114,29 +124,29 @@ public:
   }
 
 private:
-  // Whether a vertex of its quads moved in this sweep or the one before.
+  // Whether its quads changed in this sweep or the one before.
   bool may_move(const int vertex) const
   {
-    for(const int* c = m_quads.corners_begin(vertex); c != m_quads.corners_end(vertex); ++c)
-      for(const int w : m_quads.quad(*c / 4))
-        if(m_last_move[w] + 1 >= m_sweep)
-          return true;
-    return false;
+    return std::any_of(m_quads.corners_begin(vertex), m_quads.corners_end(vertex), [&](const int c)
+                       { return m_last_change[c / 4] + 1 >= m_sweep; });
   }
 
   bool improve(const std::vector<int>& vertices)
   {
     bool has_moved = false;
+    Slid_corners slid;
     for(const int v : vertices)
-      if(may_move(v) && improve(v))
+      if(may_move(v) && improve(v, slid))
       {
-        m_last_move[v] = m_sweep;
+        for(const int* c = m_quads.corners_begin(v); c != m_quads.corners_end(v); ++c)
+          m_last_change[*c / 4] = m_sweep;
         has_moved = true;
       }
     return has_moved;
   }
 
-  bool improve(const int vertex)
+  // `slid` is overwritten.
+  bool improve(const int vertex, Slid_corners& slid)
   {
     const int maximum_number_of_halvings = 3;
     const bool is_on_arc = m_quads.freedom(vertex) == Sliding_quads::ON_ARC;
@@ -154,9 +164,9 @@ private:
         continue;
       if(is_negligible(vertex, slide))
         return false;
-      if(is_better(vertex, slide, old_shape))
+      if(is_better(vertex, slide, old_shape, slid))
       {
-        m_quads.move(vertex, slide);
+        m_quads.move(vertex, slide, slid);
         return true;
       }
     }
@@ -174,9 +184,9 @@ private:
     return dot(step, step) <= smallest_step * smallest_step * dot(edge, edge);
   }
 
-  bool is_better(const int vertex, const Slide& slide, const Quad_shape& old_shape) const
+  bool is_better(const int vertex, const Slide& slide, const Quad_shape& old_shape, Slid_corners& slid) const
   {
-    const Quad_shape shape = m_quads.shape_around(vertex, slide);
+    const Quad_shape shape = m_quads.shape_around(vertex, slide, slid);
     if(!std::isfinite(old_shape.distortion))
       return shape.scaled_jacobian > old_shape.scaled_jacobian && !m_quads.inverts_quad(vertex, slide);
     return shape.distortion < old_shape.distortion
@@ -188,46 +198,65 @@ private:
   std::vector<std::vector<int> > m_inside; // per patch
   double m_acceptable = 0;
   int m_sweep = 0;
-  std::vector<int> m_last_move; // per vertex: the sweep
+  std::vector<int> m_last_change; // per quad: the sweep
 };
 
+// The inverted quads of patches that are not left out (a flag per patch).
+inline std::vector<int> inverted_quads(const Sliding_quads& quads, const std::vector<char>& is_patch_left_out)
+{
+  std::vector<int> result = inverted_quads(quads);
+  result.erase(std::remove_if(result.begin(), result.end(), [&](const int q)
+                              { return is_patch_left_out[quads.patch(q)] != 0; }), result.end());
+  return result;
+}
+
 // Untangles, improves the worst quads and sweeps, in rounds. Only the given vertices move, but untangling moves those
-// of the tangled parts.
-template <typename ConcurrencyTag>
+// of the tangled parts. Calls `goes_on()` before each round, and stops if it returns false.
+template <typename ConcurrencyTag, typename GoesOn>
 void smooth_vertices(Sliding_quads& quads, const std::vector<int>& vertices,
-                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options,
+                     const GoesOn& goes_on)
 {
   Distortion_sweeps<ConcurrencyTag> sweeps(quads, vertices);
+  std::vector<std::int64_t> tried(quads.number_of_vertices(), -1);
   bool may_untangle = options.untangles && untangle_quads(quads, is_patch_left_out);
   sweeps.run(options.number_of_sweeps, options.passable);
-  for(int round = 0; round < options.number_of_rounds; ++round)
+  for(int round = 0; round < options.number_of_rounds && goes_on(); ++round)
   {
     if(options.may_release_bends)
       for(const int v : tangled_vertices(quads, is_patch_left_out))
         may_untangle |= quads.release(v);
     may_untangle = may_untangle && untangle_quads(quads, is_patch_left_out);
-    const bool has_improved = improve_worst_quads(quads, vertices, options.bad);
+    const bool has_improved = improve_worst_quads(quads, vertices, options.bad, tried);
     sweeps.run(options.number_of_sweeps / 2, options.good_enough);
     if(!may_untangle && !has_improved)
       break;
   }
 }
 
-// Smooths only around inverted quads of patches that are not left out (a flag per patch). Returns those of these
-// patches that are inverted afterward.
+// Smooths only around inverted quads of patches that are not left out (a flag per patch). Stops early once a quarter
+// more quads are inverted than `rival` had before the same round.
 template <typename ConcurrencyTag>
-std::vector<int> smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
-                                       const Surface_embedding& embedding, const Feature_network& network,
-                                       const std::vector<char>& is_patch_left_out, const Smoothing_options& options)
+Inverted_quads smooth_inverted_quads(Quad_complex& complex, const Cut_surface& surface,
+                                     const Surface_embedding& embedding, const Feature_network& network,
+                                     const std::vector<char>& is_patch_left_out, const Smoothing_options& options,
+                                     const Inverted_quads& rival = Inverted_quads())
 {
   Sliding_quads quads(complex, surface, embedding, network, options.arc_tolerance);
   const std::vector<int> vertices = tangled_vertices(quads, is_patch_left_out);
+  Inverted_quads result;
+  const auto is_not_beaten = [&]
+  {
+    const std::size_t round = result.number_before_round.size();
+    const std::size_t number = inverted_quads(quads, is_patch_left_out).size();
+    result.number_before_round.push_back(number);
+    result.is_beaten =
+      round < rival.number_before_round.size() && 4 * number > 5 * rival.number_before_round[round];
+    return !result.is_beaten;
+  };
   if(!vertices.empty())
-    smooth_vertices<ConcurrencyTag>(quads, vertices, is_patch_left_out, options);
-  std::vector<int> result;
-  for(const int q : inverted_quads(quads))
-    if(!is_patch_left_out[complex.patch[q]])
-      result.push_back(q);
+    smooth_vertices<ConcurrencyTag>(quads, vertices, is_patch_left_out, options, is_not_beaten);
+  result.quads = inverted_quads(quads, is_patch_left_out);
   return result;
 }
 
@@ -245,7 +274,8 @@ Smoothing_report smooth(Quad_complex& complex, const Cut_surface& surface, const
   report.inverted_before = static_cast<int>(inverted_quads(quads).size());
   std::vector<int> vertices(quads.number_of_vertices());
   std::iota(vertices.begin(), vertices.end(), 0);
-  smooth_vertices<ConcurrencyTag>(quads, vertices, std::vector<char>(surface.patches.size(), 0), options);
+  smooth_vertices<ConcurrencyTag>(quads, vertices, std::vector<char>(surface.patches.size(), 0), options,
+                                  [] { return true; });
   report.worst_after = quads.worst();
   report.inverted_quads = inverted_quads(quads);
   return report;

@@ -55,13 +55,16 @@ public:
     const int number_of_steps = (std::min)(50, (std::max)(5, 50000 / (std::max)(1, number_of_vertices)));
     const std::pair<int, double> old_score = score();
     Joint_descent descent(m_quads, m_part, m_vertices, m_epsilon, m_local);
-    for(int round = 0; round < number_of_rounds && score().first > 0; ++round)
+    std::pair<int, double> new_score = old_score;
+    for(int round = 0; round < number_of_rounds && new_score.first > 0; ++round)
     {
       set_epsilons();
       if(!descent.run(number_of_steps))
         break;
+      new_score = score();
+      if(is_hopeless(old_score.first, new_score.first))
+        break;
     }
-    const std::pair<int, double> new_score = score();
     const bool is_better = new_score.first < old_score.first
                         || (new_score.first == old_score.first && new_score.second > old_score.second);
     if(!is_better)
@@ -81,6 +84,14 @@ private:
       result.second = (std::min)(result.second, m_quads.shape(q).scaled_jacobian);
     }
     return result;
+  }
+
+  // In small parts, more quads may be inverted on the way to none. Large ones, which take the most time, do not recover
+  // once a quarter more are.
+  bool is_hopeless(const int old_number_of_inverted, const int number_of_inverted) const
+  {
+    const std::size_t least_number_of_vertices = 1000;
+    return m_vertices.size() >= least_number_of_vertices && 4 * number_of_inverted > 5 * old_number_of_inverted;
   }
 
   // Each corner has its own scale, so that those with a short side count as well.
