@@ -197,7 +197,7 @@ Refined_quads make_smooth_quads(const Cut_surface& surface, const Surface_embedd
   options.may_release_bends = true;
   const std::vector<char> no_patch(surface.patches.size(), 0);
   const bool is_valid = smooth_inverted_quads<ConcurrencyTag>(quads.complex, surface, embedding, features, no_patch,
-                                                              options).empty();
+                                                              options).quads.empty();
   if(is_valid)
     rechoose_bend_vertices<ConcurrencyTag>(quads.complex, surface, embedding, features, options);
   options.untangles = options.may_release_bends = false;

@@ -88,7 +88,7 @@ void rechoose_bend_vertices(Quad_complex& complex, const Cut_surface& surface, c
     return;
   const std::vector<char> no_patch(surface.patches.size(), 0);
   options.may_release_bends = false;
-  if(smooth_inverted_quads<ConcurrencyTag>(next, surface, embedding, network, no_patch, options).empty())
+  if(smooth_inverted_quads<ConcurrencyTag>(next, surface, embedding, network, no_patch, options).quads.empty())
     complex = std::move(next);
 }
 
