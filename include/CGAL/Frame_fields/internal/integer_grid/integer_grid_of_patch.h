@@ -48,7 +48,10 @@ inline double area_of_patch(const Cut_surface& surface, const Patch& patch)
 {
   double sum = 0;
   for(int f = patch.faces.begin_index; f < patch.faces.end_index; ++f)
-    sum += surface.length[3 * f] * surface.length[3 * f + 1] * std::sin(surface.angle[3 * f]) / 2;
+  {
+    const int h = 3 * f;
+    sum += surface.length[h] * surface.length[h + 1] * std::sin(surface.angle[h]) / 2;
+  }
   return sum;
 }
 

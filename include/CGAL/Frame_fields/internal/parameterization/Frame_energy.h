@@ -144,7 +144,7 @@ public:
 
   Hermitian_matrix<double> matrix() const
   {
-    return assemble<double>(m_basis.size(), [this](const auto& add) { for_each_entry(add); });
+    return assemble<double>(m_basis.size(), [this](const auto& add) { this->for_each_entry(add); });
   }
 
   template <typename SolverTraits>
