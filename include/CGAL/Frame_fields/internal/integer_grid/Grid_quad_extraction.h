@@ -15,12 +15,12 @@
 #include <CGAL/Frame_fields/internal/integer_grid/Grid_walker.h>
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
+#include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>

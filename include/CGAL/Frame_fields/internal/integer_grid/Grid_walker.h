@@ -12,13 +12,9 @@
 #ifndef CGAL_FRAME_FIELDS_INTERNAL_INTEGER_GRID_GRID_WALKER_H
 #define CGAL_FRAME_FIELDS_INTERNAL_INTEGER_GRID_GRID_WALKER_H
 
-#include <CGAL/Frame_fields/internal/integer_grid/Rigid_motion.h>
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
+#include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Surface_location.h>
-
-#include <array>
-#include <cstdint>
 
 namespace CGAL {
 namespace Frame_fields {

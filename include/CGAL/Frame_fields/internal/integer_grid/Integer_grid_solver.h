@@ -15,7 +15,6 @@
 #include <CGAL/Frame_fields/internal/integer_grid/Integer_grid_basis.h>
 #include <CGAL/Frame_fields/internal/integer_grid/Integer_grid_charts.h>
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
-#include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/parameterization/Frame_energy.h>
 #include <CGAL/Frame_fields/internal/parameterization/Map_certificate.h>
 #include <CGAL/Frame_fields/internal/parameterization/Patch_parameterization.h>
@@ -25,7 +24,6 @@
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Plane_vector.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

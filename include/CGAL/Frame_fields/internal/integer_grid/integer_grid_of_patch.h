@@ -14,7 +14,6 @@
 
 #include <CGAL/Frame_fields/internal/integer_grid/Integer_grid_charts.h>
 #include <CGAL/Frame_fields/internal/integer_grid/Integer_grid_solver.h>
-#include <CGAL/Frame_fields/internal/integer_grid/Grid_quad_extraction.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>

@@ -16,8 +16,6 @@
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/quad_connectivity.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -24,9 +24,7 @@
 #include <CGAL/Frame_fields/internal/quads/make_smooth_quads.h>
 #include <CGAL/Frame_fields/internal/quads/reason_of.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
-#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_embedding.h>
-#include <CGAL/Frame_fields/internal/surface/for_each_patch.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -16,7 +16,6 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/field/frame_field.h>
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
-#include <CGAL/Frame_fields/internal/layout/make_feature_network.h>
 #include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
@@ -36,7 +35,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 #include <utility>
 #include <vector>
 
