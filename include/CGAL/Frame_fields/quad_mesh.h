@@ -218,12 +218,12 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
   if(const Result result = internal::check_and_cut(options, stage_mesh); !result)
     return result;
   const auto& cut_mesh = stage_mesh.cut_mesh();
+  clock.start(Quad_stage::FIELD);
   internal::Quad_input input;
   if(const Result result = internal::read_quad_input(cut_mesh, alpha_map, skewness_map, matching_map, index_map, np,
                                                      size, input); !result)
     return result;
 
-  clock.start(Quad_stage::FIELD);
   const double unit = 1;
   const bool is_field_given = true;
   const auto locate = [&](const internal::Surface_location& location)

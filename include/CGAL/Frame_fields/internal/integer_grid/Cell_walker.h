@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/internal/integer_grid/Rigid_motion.h>
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/first_corner_of_cell.h>
 #include <CGAL/Frame_fields/internal/parameterization/sign_of_determinant.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 
@@ -67,14 +68,7 @@ public:
   Cell_place at_first_corner(const int cell, Grid_vector& corner) const
   {
     const T_mesh_cell& c = m_t_mesh.cells[cell];
-    const Directed_piece& first = c.sides[0].front();
-    const T_mesh_piece& piece = m_t_mesh.pieces[first.piece];
-    const T_mesh_node& node = m_t_mesh.nodes[first.is_reversed ? piece.target : piece.source];
-    Grid_vector origin = { node.u, node.v };
-    if(node.face != c.face && node.sector >= 0)
-      for(int h = 3 * c.face; h < 3 * c.face + 3; ++h)
-        if(m_surface.sector[h] == node.sector)
-          origin = m_charts.point(h);
+    const Grid_vector origin = first_corner_of_cell(m_charts, m_t_mesh, c);
     corner = sixfold(origin);
     const int back = (4 - c.quarter_turns) & 3;
     return { c.face, cell, { back, rotate(Grid_vector{ 0, 0 } - origin, back) }, Rigid_motion() };

@@ -42,7 +42,7 @@ public:
   {}
 
   // Returns false if the numbers of edges do not fit to the map, which would be a fault of an earlier stage.
-  bool compute() { return place_centroids() && find_motions() && place_corners(); }
+  bool compute() { return find_motions() && place_corners(); }
 
   // From the chart of the face of an unconstrained halfedge to the chart on its other side.
   const Rigid_motion& motion_across(const int halfedge) const { return m_across[local(halfedge)]; }
@@ -66,54 +66,47 @@ private:
     return m_walker.walk(place, m_walker.midpoint(m_surface.opposite[halfedge]), m_walker.centroid(place.face));
   }
 
-  // Finds a cell for the centroid of every face, from face to face.
-  bool place_centroids()
+  // Finds a cell for the centroid of every face and the motions across all edges, from face to face.
+  bool find_motions()
   {
-    std::vector<char> is_placed(m_patch.faces.size(), 0);
+    std::vector<char> is_placed(m_patch.faces.size(), 0), is_found(m_across.size(), 0);
+    const auto place_at = [&](const int face, Cell_place place)
+    {
+      place.counts = Rigid_motion();
+      place_of(face) = place;
+      is_placed[face - m_patch.faces.begin_index] = 1;
+    };
     Grid_vector corner;
     Cell_place first = m_walker.at_first_corner(0, corner);
     if(!m_walker.walk(first, corner, m_walker.centroid(first.face)))
       return false;
-    first.counts = Rigid_motion();
-    place_of(first.face) = first;
-    is_placed[first.face - m_patch.faces.begin_index] = 1;
+    place_at(first.face, first);
     std::vector<int> queue{ first.face };
     for(std::size_t i = 0; i < queue.size(); ++i)
       for(int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
       {
-        if(m_surface.is_constrained(h))
+        if(m_surface.is_constrained(h) || is_found[local(h)])
           continue;
-        const int neighbor = face_of(m_surface.opposite[h]);
-        if(is_placed[neighbor - m_patch.faces.begin_index])
-          continue;
+        const int opposite = m_surface.opposite[h], neighbor = face_of(opposite);
         Cell_place place = place_of(queue[i]);
         if(!walk_across(place, h))
           return false;
-        place.counts = Rigid_motion();
-        place_of(neighbor) = place;
-        is_placed[neighbor - m_patch.faces.begin_index] = 1;
-        queue.push_back(neighbor);
+        if(!is_placed[neighbor - m_patch.faces.begin_index])
+        {
+          place_at(neighbor, place);
+          queue.push_back(neighbor);
+        }
+        else if(!m_walker.change_cell(place, place_of(neighbor), m_walker.centroid(neighbor)))
+          return false;
+        const Rigid_motion motion = turning(4 - place.to_cell.quarter_turns) * place.counts
+                                  * turning(place_of(queue[i]).to_cell.quarter_turns);
+        if(motion.quarter_turns != m_map.quarter_turns[h])
+          return false;
+        m_across[local(h)] = motion;
+        m_across[local(opposite)] = inverse(motion);
+        is_found[local(h)] = is_found[local(opposite)] = 1;
       }
     return queue.size() == is_placed.size();
-  }
-
-  bool find_motions()
-  {
-    for(int e = m_patch.dual_edges.begin_index; e < m_patch.dual_edges.end_index; ++e)
-    {
-      const int h = m_surface.dual_edges[e].halfedge, opposite = m_surface.dual_edges[e].opposite;
-      const Cell_place &begin = place_of(face_of(h)), &end = place_of(face_of(opposite));
-      Cell_place place = begin;
-      if(!walk_across(place, h) || !m_walker.change_cell(place, end, m_walker.centroid(place.face)))
-        return false;
-      const Rigid_motion motion =
-        turning(4 - end.to_cell.quarter_turns) * place.counts * turning(begin.to_cell.quarter_turns);
-      if(motion.quarter_turns != m_map.quarter_turns[h])
-        return false;
-      m_across[local(h)] = motion;
-      m_across[local(opposite)] = inverse(motion);
-    }
-    return true;
   }
 
   bool place_corners()

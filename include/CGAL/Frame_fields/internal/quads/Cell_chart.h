@@ -14,6 +14,7 @@
 
 #include <CGAL/Frame_fields/internal/layout/Seamless_charts.h>
 #include <CGAL/Frame_fields/internal/layout/T_mesh.h>
+#include <CGAL/Frame_fields/internal/layout/first_corner_of_cell.h>
 #include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
 #include <CGAL/Frame_fields/internal/surface/Cut_surface.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
@@ -42,10 +43,7 @@ public:
   Cell_chart(const Cut_surface& surface, const Seamless_map& map, const T_mesh& t_mesh, const T_mesh_cell& cell)
     : m_surface(surface), m_charts(surface, map), m_face(cell.face), m_turns(cell.quarter_turns)
   {
-    const Directed_piece& first = cell.sides[0].front();
-    const T_mesh_piece& piece = t_mesh.pieces[first.piece];
-    const T_mesh_node& node = t_mesh.nodes[first.is_reversed ? piece.target : piece.source];
-    m_origin = coordinates_in_face(node, cell.face);
+    m_origin = first_corner_of_cell(m_charts, t_mesh, cell);
   }
 
   // Walks straight from the point of the last call (from the origin at the first call) to `point` and returns its
@@ -72,17 +70,6 @@ public:
   }
 
 private:
-  // A node at a vertex has its coordinates in one of the faces there; the others see it at their own corner.
-  Grid_vector coordinates_in_face(const T_mesh_node& node, const int face) const
-  {
-    if(node.face == face || node.sector < 0)
-      return { node.u, node.v };
-    for(int h = 3 * face; h < 3 * face + 3; ++h)
-      if(m_surface.sector[h] == node.sector)
-        return m_charts.point(h);
-    return { node.u, node.v };
-  }
-
   // The halfedge of the present face over which the straight way to `point` leaves it, -1 if the point is in the face.
   int exit_towards(const Plane_point& point) const
   {
