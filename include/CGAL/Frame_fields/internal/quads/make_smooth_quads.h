@@ -115,9 +115,10 @@ Inverted_quads restart_on_integer_grids(const Cut_surface& surface, const Surfac
 
 // Quantizes and assembles. Where quads of a T-mesh stay inverted after their surroundings have been smoothed, all quads
 // are made anew with more room there, at most six times. It stops earlier when no quad is inverted, when no bound can
-// be raised, or when refinements in vain have made too many quads. It also stops at the beginning, or after the first
-// refinement in vain, if the quads become valid when they leave the bends of arcs, as this keeps more of their shapes;
-// to try this on many quads would take too long.
+// be raised, when refinements in vain have made too many quads, or when one has left more than four times the least
+// number of inverted quads so far. It also stops at the beginning, or after the first refinement in vain, if the quads
+// become valid when they leave the bends of arcs, as this keeps more of their shapes; to try this on many quads would
+// take too long.
 //
 // A refinement is in vain if it leaves more than 3/4 of the least number of inverted quads so far and these are less
 // than a tenth of all quads. Some of these may have to come before one that helps: quads between fixed vertices are
@@ -160,6 +161,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
     const std::vector<int>& inverted = remaining.quads;
     const bool is_better = refinement == 0 || inverted.size() < least.quads.size();
     const bool are_few_quads = number_of_quads <= 10 * inverted.size();
+    const bool has_diverged = refinement > 0 && inverted.size() > 4 * least.quads.size();
     const bool is_in_vain = refinement > 0 && !are_few_quads && 4 * inverted.size() > 3 * least.quads.size();
     const Quad_complex& refined = is_better ? (best = std::move(next)).complex : next.complex;
     if(is_better)
@@ -173,7 +175,7 @@ Refined_quads make_refined_quads(const Cut_surface& surface, const Surface_embed
         return released;
     }
     number_of_quads_in_vain += is_in_vain ? number_of_quads : 0;
-    if(inverted.empty() || refinement == maximum_number_of_refinements
+    if(inverted.empty() || has_diverged || refinement == maximum_number_of_refinements
        || number_of_quads_in_vain > maximum_number_of_quads_in_vain || !maker.refine(refined, inverted))
       return best;
   }
