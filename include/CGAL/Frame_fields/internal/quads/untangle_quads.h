@@ -32,8 +32,8 @@ namespace internal {
 //
 // It minimizes the sum of (|a|^2 + |b|^2) / (2 chi(a x b)) over the corners with sides a and b, where a x b is seen
 // along the normal of the surface, and chi(t) = (t + sqrt(t^2 + e^2)) / 2 is positive also for inverted corners; e gets
-// smaller with them. On the way quads may get worse. In the end, the vertices go back to where the fewest quads were
-// inverted, or as many and the worst scaled Jacobian of the part was the best.
+// smaller with them. On the way a quad may get worse. In the end, all moves are undone unless fewer quads are inverted,
+// or as many and the worst scaled Jacobian of the part is better.
 class Untangled_part
 {
 public:
@@ -42,7 +42,8 @@ public:
                  std::vector<double>& epsilon, std::vector<int>& local)
     : m_quads(quads), m_part(part), m_vertices(vertices), m_epsilon(epsilon), m_local(local)
   {
-    keep();
+    for(const int v : vertices)
+      m_old_slide.push_back(quads.slide_of(v));
   }
 
   // Returns whether it has improved.
@@ -52,57 +53,37 @@ public:
     const int number_of_vertices = static_cast<int>(m_vertices.size());
     const int number_of_rounds = number_of_vertices <= 10000 ? 10 : 2;
     const int number_of_steps = (std::min)(50, (std::max)(5, 50000 / (std::max)(1, number_of_vertices)));
-    const int maximum_number_in_vain = 4; // rounds since the best one
-    const Score old_score = score();
-    Score best = old_score, last = old_score;
+    const std::pair<int, double> old_score = score();
     Joint_descent descent(m_quads, m_part, m_vertices, m_epsilon, m_local);
-    int number_in_vain = 0;
-    for(int round = 0; round < number_of_rounds && number_in_vain < maximum_number_in_vain && last.first > 0; ++round)
+    std::pair<int, double> new_score = old_score;
+    for(int round = 0; round < number_of_rounds && new_score.first > 0; ++round)
     {
       set_epsilons();
       if(!descent.run(number_of_steps))
         break;
-      last = score();
-      ++number_in_vain;
-      if(is_better(last, best))
-      {
-        best = last;
-        number_in_vain = 0;
-        keep();
-      }
-      if(is_hopeless(old_score.first, last.first))
+      new_score = score();
+      if(is_hopeless(old_score.first, new_score.first))
         break;
     }
-    if(is_better(best, last))
+    const bool is_better = new_score.first < old_score.first
+                        || (new_score.first == old_score.first && new_score.second > old_score.second);
+    if(!is_better)
       for(std::size_t i = 0; i < m_vertices.size(); ++i)
-        m_quads.move(m_vertices[i], m_best_slide[i]);
-    return is_better(best, old_score);
+        m_quads.move(m_vertices[i], m_old_slide[i]);
+    return is_better;
   }
 
 private:
-  typedef std::pair<int, double> Score; // the number of inverted quads and the worst scaled Jacobian
-
-  static bool is_better(const Score& a, const Score& b)
+  // The number of inverted quads and the worst scaled Jacobian.
+  std::pair<int, double> score() const
   {
-    return a.first < b.first || (a.first == b.first && a.second > b.second);
-  }
-
-  Score score() const
-  {
-    Score result(0, 1);
+    std::pair<int, double> result(0, 1);
     for(const int q : m_part)
     {
       result.first += m_quads.shape(q).scaled_jacobian <= 0;
       result.second = (std::min)(result.second, m_quads.shape(q).scaled_jacobian);
     }
     return result;
-  }
-
-  void keep()
-  {
-    m_best_slide.clear();
-    for(const int v : m_vertices)
-      m_best_slide.push_back(m_quads.slide_of(v));
   }
 
   // In small parts, more quads may be inverted on the way to none. Large ones, which take the most time, do not recover
@@ -136,7 +117,7 @@ private:
   const std::vector<int>& m_vertices; // that may slide: all their quads are in the part
   std::vector<double>& m_epsilon;     // per corner
   std::vector<int>& m_local;          // for the descent
-  std::vector<Slide> m_best_slide;    // per entry of m_vertices
+  std::vector<Slide> m_old_slide;     // per entry of m_vertices
 };
 
 // Untangles all parts with two rings around inverted quads, then those with five. Returns whether any part has
