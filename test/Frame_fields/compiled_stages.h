@@ -40,8 +40,8 @@
     const Feature_network&, const Quad_request&, const std::vector<int>&, const Eigen_frame_field_solver_traits&,      \
     Quad_stage_timer&, Quad_statistics&);                                                                              \
   EXTERN_OR_NOTHING template Result make_quads_of_field<Concurrency_tag>(                                              \
-    const Cut_surface&, const Surface_embedding&, double, const Quad_request&, const std::vector<double>&,             \
-    const Options&, const Eigen_frame_field_solver_traits&, Frame_field&, bool, Quad_stage_timer&, Made_quads&);
+    const Cut_surface&, const Surface_embedding&, double, const Quad_request&, const Options&,                         \
+    const Eigen_frame_field_solver_traits&, const Mapped_field&, bool, Quad_stage_timer&, Made_quads&);
 
 namespace CGAL {
 namespace Frame_fields {

@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -45,19 +46,21 @@ void expect_same_bits(const Field& field, const Field& expected)
   EXPECT_EQ(expected.statistics.energy_relaxed, field.statistics.energy_relaxed);
 }
 
-// The points of all corners.
+// The points of all corners in the seamless map and in the integer-grid map.
 template <typename ConcurrencyTag>
-std::vector<Kernel::Point_2> seamless_map(const Cad_mesh<Surface_mesh>& cad_mesh)
+std::array<std::vector<Kernel::Point_2>, 2> coordinates(const Cad_mesh<Surface_mesh>& cad_mesh)
 {
   const Surface_mesh& mesh = cad_mesh.mesh;
   const Maps<Surface_mesh> maps(mesh);
   EXPECT_TRUE(FF::cad_frame_field(mesh, maps.alpha, maps.rho, maps.index,
                                   cad_mesh.features().matching_map(maps.matching)));
-  std::vector<Kernel::Point_2> uv(mesh.number_of_halfedges());
+  std::vector<Kernel::Point_2> seamless(mesh.number_of_halfedges()), integer_grid(mesh.number_of_halfedges());
+  const auto np = cad_mesh.features().concurrency_tag(ConcurrencyTag());
   EXPECT_TRUE(FF::seamless_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index,
-                                            CGAL::make_property_map(uv),
-                                            cad_mesh.features().concurrency_tag(ConcurrencyTag())));
-  return uv;
+                                            CGAL::make_property_map(seamless), np));
+  EXPECT_TRUE(FF::integer_grid_parameterization(mesh, maps.alpha, maps.rho, maps.matching, maps.index,
+                                                CGAL::make_property_map(integer_grid), np));
+  return { { std::move(seamless), std::move(integer_grid) } };
 }
 
 template <typename ConcurrencyTag>
@@ -127,7 +130,7 @@ TYPED_TEST(Determinism, from_run_to_run_and_for_1_2_and_8_threads)
   {
     const Cad_mesh<Surface_mesh> cad_mesh(model);
     const Field expected = frame_field(cad_mesh);
-    const std::vector<Kernel::Point_2> expected_map = seamless_map<CGAL::Sequential_tag>(cad_mesh);
+    const auto expected_coordinates = coordinates<CGAL::Sequential_tag>(cad_mesh);
     for(const int number_of_threads : { 1, 2, 8 })
     {
       SCOPED_TRACE(number_of_threads);
@@ -137,7 +140,7 @@ TYPED_TEST(Determinism, from_run_to_run_and_for_1_2_and_8_threads)
       for(int run = 0; run < 5; ++run)
         expect_same_bits(this->field(cad_mesh), expected);
       this->expect_same_bits_by_stages(cad_mesh, expected);
-      EXPECT_EQ(expected_map, seamless_map<TypeParam>(cad_mesh));
+      EXPECT_EQ(expected_coordinates, coordinates<TypeParam>(cad_mesh));
     }
   }
 }

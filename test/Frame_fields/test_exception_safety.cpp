@@ -276,7 +276,7 @@ TEST_F(Exception_safety, of_the_streamlines)
   EXPECT_GT(number_of_lines, 1u);
 }
 
-TEST_F(Exception_safety, of_the_seamless_map)
+TEST_F(Exception_safety, of_the_maps)
 {
   for(const auto f : faces(mesh))
     put(maps.rho, f, 0);
@@ -284,19 +284,28 @@ TEST_F(Exception_safety, of_the_seamless_map)
   std::vector<Kernel::Point_2> uv(mesh.number_of_halfedges(), untouched);
   std::vector<FF::Uncertified_patch<Surface_mesh::Face_index> > uncertified;
   uncertified.reserve(num_faces(mesh));
-  expect_safe("seamless_parameterization", [&]
+  // `map(uv_map, np)` calls the function.
+  const auto expect_safe_map = [&](const char* const function, const auto& map)
   {
-    std::fill(uv.begin(), uv.end(), untouched); // std::stable_sort() goes on without its memory
-    uncertified.clear();
-    return FF::seamless_parameterization(
-      mesh, field.alpha, maps.rho, field.matching, field.index, CGAL::make_property_map(uv),
-      cad_mesh.features().uncertified_patch_output_iterator(std::back_inserter(uncertified))).error_code;
-  }, [&]
-  {
-    return uncertified.empty()
-        && std::count(uv.begin(), uv.end(), untouched) == std::ptrdiff_t(mesh.number_of_halfedges());
-  });
-  EXPECT_LT(uncertified.size(), 4u) << "some patches have a map";
+    expect_safe(function, [&]
+    {
+      std::fill(uv.begin(), uv.end(), untouched); // std::stable_sort() goes on without its memory
+      uncertified.clear();
+      return map(CGAL::make_property_map(uv), cad_mesh.features().uncertified_patch_output_iterator(
+                                                std::back_inserter(uncertified))).error_code;
+    }, [&]
+    {
+      return uncertified.empty()
+          && std::count(uv.begin(), uv.end(), untouched) == std::ptrdiff_t(mesh.number_of_halfedges());
+    });
+    EXPECT_LT(uncertified.size(), 4u) << "some patches have a map";
+  };
+  expect_safe_map("seamless_parameterization", [&](const auto uv_map, const auto& np)
+                  { return FF::seamless_parameterization(mesh, field.alpha, maps.rho, field.matching, field.index,
+                                                         uv_map, np); });
+  expect_safe_map("integer_grid_parameterization", [&](const auto uv_map, const auto& np)
+                  { return FF::integer_grid_parameterization(mesh, field.alpha, maps.rho, field.matching, field.index,
+                                                             uv_map, np); });
 }
 
 TEST_F(Exception_safety, of_a_field_from_vectors)

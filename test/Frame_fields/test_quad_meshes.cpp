@@ -252,6 +252,24 @@ TEST(Quad_meshes_of_narrow_domains, have_no_inverted_quad)
   }
 }
 
+// Domains with a patch whose map fails in a few places, until the triangles there are split.
+TEST(Quad_meshes_of_domains_with_few_triangles, have_maps_after_splits)
+{
+  std::size_t number_of_filled_patches = 0;
+  for(const unsigned seed : { 314u, 561u, 672u, 1229u, 1394u })
+  {
+    SCOPED_TRACE(seed);
+    const Cad_mesh<Surface_mesh> cad_mesh(random_planar_domain(seed), false);
+    const auto np = parameters::target_edge_length((seed % 2 == 0 ? 1 : 3) * mean_edge_length(cad_mesh.mesh));
+    number_of_filled_patches += quads_of(cad_mesh, np.refine_long_triangles(false)).statistics.number_of_filled_patches;
+    const Quads quads = quads_of(cad_mesh, np);
+    EXPECT_EQ(0u, quads.statistics.number_of_filled_patches);
+    EXPECT_EQ(0u, number_of_inverted_quads(quads.surface));
+    EXPECT_EQ("", Quad_contract(triangles_of(cad_mesh), quads.surface).broken_facts());
+  }
+  EXPECT_GT(number_of_filled_patches, 0u);
+}
+
 Model tripod()
 {
   return planar({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } }, 0.5,

@@ -296,11 +296,12 @@ Point point_of(const Surface_mesh& mesh, const Location& location)
                           location.second[1], mesh.point(target(next(h, mesh), mesh)), location.second[2]);
 }
 
-// The cube and the polyhedron have faces that are split, the prism and the pipe edges that are flipped, too.
+// The cube and the polyhedron have faces that are split, the prism and the pipe edges that are flipped, too, and the
+// domain a map that needs more triangles.
 TEST(Locations, are_on_the_mesh_of_the_caller)
 {
   for(const Model& model : { cube(), quilt(), tetrahedron(), random_gear(1), random_star_shaped_polyhedron(2),
-                             raw_prism(24, 4), raw_pipe(16, 5) })
+                             raw_prism(24, 4), raw_pipe(16, 5), random_planar_domain(672) })
   {
     const Cad_mesh<Surface_mesh> cad_mesh(model, false);
     const Quads quads = quads_of(cad_mesh);

@@ -1,6 +1,7 @@
 #include "test_cad_mesh.h"
 
 #include <CGAL/Frame_fields/internal/surface/coordinate_rounding.h>
+#include <CGAL/Frame_fields/internal/surface/split_edges_longest_first.h>
 #include <CGAL/Frame_fields/refine_triangles.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -221,6 +222,30 @@ TYPED_TEST(Refine_triangles, of_a_curved_sheet_keeps_half_of_the_smallest_angle)
   const Model refined = this->refine(before, 0.1, statistics);
   EXPECT_GT(statistics.number_of_splits, 100u);
   EXPECT_GE(least_angle(refined), least_angle(before) / 2);
+}
+
+TYPED_TEST(Refine_triangles, in_four_each_keeps_half_of_the_smallest_angle)
+{
+  for(const Model& model : { quilt(), can(24, 7) })
+  {
+    Cad_mesh<TypeParam> cad_mesh(model, false);
+    const auto np = cad_mesh.features();
+    const FF::internal::Editable_mesh<TypeParam, typename decltype(np)::Pack> mesh(cad_mesh.mesh, np);
+    const Model before = cad_mesh.model();
+    const std::size_t number_of_edges = num_edges(cad_mesh.mesh);
+    const auto all = halfedges(cad_mesh.mesh); // each edge comes twice
+    FF::internal::split_edges_longest_first(
+      cad_mesh.mesh, mesh,
+      std::vector<typename boost::graph_traits<TypeParam>::halfedge_descriptor>(all.begin(), all.end()));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(cad_mesh.mesh));
+    const Model after = cad_mesh.model();
+    EXPECT_EQ(after.triangles.size(), 4 * before.triangles.size());
+    EXPECT_GE(least_angle(after), least_angle(before) / 2);
+    FF::Refinement_statistics statistics;
+    statistics.number_of_splits = number_of_edges;
+    this->check_surface(before, after, statistics);
+    EXPECT_EQ(after.features.size(), 2 * before.features.size());
+  }
 }
 
 TYPED_TEST(Refine_triangles, of_raw_tessellations)

@@ -14,18 +14,15 @@
 
 #include <CGAL/Frame_fields/Error_code.h>
 #include <CGAL/Frame_fields/Quad_statistics.h>
-#include <CGAL/Frame_fields/internal/field/frame_field.h>
-#include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/maps/bound_sizes.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/Refined_copy.h>
-#include <CGAL/Frame_fields/internal/quads/field_for_quads.h>
+#include <CGAL/Frame_fields/internal/quads/Mapped_field.h>
+#include <CGAL/Frame_fields/internal/quads/map_refined_copy.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
-#include <CGAL/Frame_fields/internal/surface/Patch_result.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
 #include <CGAL/Frame_fields/parameters.h>
-#include <CGAL/Frame_fields/prepare_for_frame_field.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -50,9 +47,10 @@ network. The cells become grids of quads, whose vertices then slide on the surfa
 
 Where the indices of a field exclude every map, as around a ring whose border has a step, or on a torus with two
 irregular vertices, a pair of them is cancelled, up to three times, and the field of the patch computed with the others;
-not so if `repair_matching` is `false`. A patch for which there is still no certified map, or no such integers, is
-filled with quads of about the same size instead; it then has more irregular vertices. So there is always a quad mesh.
-`statistics` tells which patches lost pairs, which were filled, and why.
+not so if `repair_matching` is `false`. Where the map of a patch fails in a few places, the triangles around these are
+split in the copy, twice at most, and the fields and maps computed anew. A patch for which there is still no certified
+map, or no such integers, is filled with quads of about the same size instead; it then has more irregular vertices. So
+there is always a quad mesh. `statistics` tells which patches lost pairs, which were filled, and why.
 
 The result contains quads only, and it is a manifold of the topology of `tm`. Every vertex at which feature edges end,
 meet or turn is a vertex of the result, and the feature edges between such vertices become chains of edges whose
@@ -170,9 +168,10 @@ vertices are on them.
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
     \cgalParamExtra{The surface stays where it is, and shorter triangles do as well. The copy gets at most 8 triangles
-                    for each one of `tm`, and 4 for each quad that the area has room for. Edges in planes are flipped,
-                    unless there is an `index_target_map`; then a face of the copy may be part of several faces of `tm`
-                    in one plane and gets the guiding direction of one of them.}
+                    for each one of `tm`, and 4 for each quad that the area has room for; those that are split because
+                    a map fails there come on top of these, and are not split without refinement. Edges in planes are
+                    flipped, unless there is an `index_target_map`; then a face of the copy may be part of several
+                    faces of `tm` in one plane and gets the guiding direction of one of them.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{whether a vertex on a feature or border edge must become a vertex of the result}
@@ -273,28 +272,19 @@ Result cad_quad_mesh(const TriangleMesh& tm, QuadMesh& quad_mesh,
 
   clock.start(Quad_stage::PREPARATION);
   internal::Refined_copy<TriangleMesh, CGAL_NP_CLASS> copy(tm, np, options);
-  Result result = copy.refine(size, bounds);
-  if(result)
-    result = prepare_for_frame_field(copy.mesh(), copy.parameters_of_mesh());
-  if(result)
-    result = copy.cut();
-  if(!result)
-    return copy.given_result(result);
-
-  clock.start(Quad_stage::FIELD);
+  if(const Result result = copy.refine(size, bounds); !result)
+    return result;
   const bool follows_sizes =
     CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal::field_follows_sizes), false);
-  internal::Frame_field field;
-  const internal::Patch_result field_result = internal::compute_field_for_quads<Concurrency_tag>(
-    copy.surface(), copy.embedding(), follows_sizes ? copy.request().density : std::vector<double>(), options,
-    solver_traits, clock, field);
-  if(field_result.error_code != OK)
-    return copy.given_result(field_result);
+  internal::Mapped_field mapped;
+  if(const Result result = internal::map_refined_copy<Concurrency_tag>(copy, follows_sizes, options, solver_traits,
+                                                                       clock, mapped); !result)
+    return result;
 
   const bool is_field_given = false;
   const auto locate = [&](const internal::Surface_location& location) { return copy.given_location(location); };
   return internal::quads_of_field<Concurrency_tag>(copy.surface(), copy.embedding(), copy.given_unit(), copy.request(),
-                                                   options, solver_traits, field, is_field_given, locate, clock,
+                                                   options, solver_traits, mapped, is_field_given, locate, clock,
                                                    quad_mesh, np);
 }
 

@@ -135,7 +135,7 @@ Result prepare_for_frame_field(TriangleMesh& tm, const CGAL_NP_CLASS& np = CGAL:
     mesh.reserve_for(edges.size(), 3 * edges.size(), 2 * edges.size());
     std::size_t number_of_splits = 0;
     for(const halfedge_descriptor h : edges)
-      number_of_splits += mesh.split_edge_with_faces(h);
+      number_of_splits += mesh.split_edge_with_faces(h) != boost::graph_traits<TriangleMesh>::null_halfedge();
     if(number_of_splits == 0)
       break; // they are too short
     statistics.number_of_splits += number_of_splits;

@@ -16,6 +16,7 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/maps/Stage_mesh.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/quads/Mapped_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/quad_parameters.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
@@ -223,6 +224,12 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
   if(const Result result = internal::read_quad_input(cut_mesh, alpha_map, skewness_map, matching_map, index_map, np,
                                                      size, input); !result)
     return result;
+  clock.start(Quad_stage::SEAMLESS_MAP);
+  const auto solver_traits = internal::Solver_traits_from<CGAL_NP_CLASS>::get(np);
+  internal::Mapped_field mapped;
+  mapped.field = std::move(input.field);
+  internal::map_field<Concurrency_tag>(cut_mesh.surface(), input.embedding, input.request, options, solver_traits,
+                                       mapped);
 
   const double unit = 1;
   const bool is_field_given = true;
@@ -230,9 +237,8 @@ Result quad_mesh(const TriangleMesh& tm, AlphaMap alpha_map, SkewnessMap skewnes
   {
     return std::make_pair(cut_mesh.face_descriptors()[location.face], location.barycentric);
   };
-  return internal::quads_of_field<Concurrency_tag>(cut_mesh.surface(), input.embedding, unit, input.request,
-                                                   options, internal::Solver_traits_from<CGAL_NP_CLASS>::get(np),
-                                                   input.field, is_field_given, locate, clock, quad_mesh, np);
+  return internal::quads_of_field<Concurrency_tag>(cut_mesh.surface(), input.embedding, unit, input.request, options,
+                                                   solver_traits, mapped, is_field_given, locate, clock, quad_mesh, np);
 }
 
 } // namespace Frame_fields

@@ -88,8 +88,11 @@ public:
     , m_elements(surface, patch, m_field, m_graph, target_length, m_basis.side_edges())
   {}
 
+  // If no attempt succeeds, but one leaves few faults, adds the faces around the faults of all to `faulty_faces`, in
+  // ascending order.
   template <typename SolverTraits>
-  Map_status compute(const SolverTraits& solver_traits, Seamless_map& map, int& fraction_bits)
+  Map_status compute(const SolverTraits& solver_traits, Seamless_map& map, int& fraction_bits,
+                     std::vector<int>& faulty_faces)
   {
     if(m_basis.has_overflow())
       return Map_status::SOLVER_FAILED;
@@ -101,6 +104,7 @@ public:
     Map_status status = Map_status::SOLVER_FAILED;
     int steps_left = maximum_number_of_steps, first_number_of_faults = 0;
     int least_number_of_faults = (std::numeric_limits<int>::max)(); // after the first attempt
+    std::vector<char> is_faulty(m_patch.faces.size(), false);
     for(int attempt = 0; attempt < maximum_number_of_attempts && steps_left > 0; ++attempt)
     {
       std::vector<double> z;
@@ -116,10 +120,14 @@ public:
         first_number_of_faults = certificate.number_of_faults();
       else
         least_number_of_faults = (std::min)(least_number_of_faults, certificate.number_of_faults());
+      mark_around_faults(certificate, is_faulty);
       if(!is_first && is_hopeless(least_number_of_faults, first_number_of_faults))
-        return status;
+        break;
       stiffen_around_faults(certificate, 3);
     }
+    for(int f = 0; f < m_patch.faces.size(); ++f)
+      if(is_faulty[f] && least_number_of_faults <= few_faults)
+        faulty_faces.push_back(m_patch.faces.begin_index + f);
     return status;
   }
 
@@ -128,11 +136,11 @@ private:
   static constexpr int maximum_number_of_attempts = 10, maximum_number_of_steps = 1200;
   static constexpr int steps_of_first_attempt = 150, steps_of_attempt = 250, steps_of_factorization = 10;
   static constexpr int number_of_improving_steps = 10;
+  static constexpr int few_faults = 20;
 
   // Where many faults are left, more than half of those after the first attempt, further attempts are of no use.
   static bool is_hopeless(const int number_of_faults, const int first_number)
   {
-    const int few_faults = 20;
     return number_of_faults > few_faults && 2 * number_of_faults > first_number;
   }
 
@@ -203,10 +211,10 @@ private:
     return fraction_bits >= 0 && write_map(m_patch, m_graph, m_basis, z, fraction_bits, map);
   }
 
-  void stiffen_around_faults(const Map_certificate& certificate, const double factor)
+  // Sets the entries of `is_marked`, one per face of the patch, of faulty faces and of those around wrong sectors.
+  void mark_around_faults(const Map_certificate& certificate, std::vector<char>& is_marked) const
   {
-    std::vector<char> is_stiffer(m_patch.faces.size(), false);
-    const auto mark = [&](const int corner) { is_stiffer[face_of(corner) - m_patch.faces.begin_index] = true; };
+    const auto mark = [&](const int corner) { is_marked[face_of(corner) - m_patch.faces.begin_index] = true; };
     const auto mark_around = [&](const int sector)
     {
       for_each_corner(m_surface.opposite, m_surface.first_corner[sector], mark);
@@ -221,6 +229,12 @@ private:
       mark(3 * f);
     for(const int f : certificate.faces_of_faulty_edges())
       mark(3 * f);
+  }
+
+  void stiffen_around_faults(const Map_certificate& certificate, const double factor)
+  {
+    std::vector<char> is_stiffer(m_patch.faces.size(), false);
+    mark_around_faults(certificate, is_stiffer);
     for(int f = 0; f < m_patch.faces.size(); ++f)
       if(is_stiffer[f])
         m_elements.stiffen(f, factor);

@@ -34,6 +34,7 @@ struct Seamless_map
   std::vector<unsigned char> quarter_turns; // per halfedge: 0 to 3; 0 on constrained edges
   std::vector<Map_status> status;           // per patch; the other values of a patch count only if it is certified
   std::vector<int> fraction_bits;           // per patch: 2^fraction_bits steps of the grid are one target edge length
+  std::vector<std::vector<int> > faulty_faces; // per patch: where attempts to find its map left few faults
 };
 
 } // namespace internal

@@ -35,21 +35,22 @@ inline bool has_room_for_quads(const Cut_surface& surface, const Patch& patch, c
   return true;
 }
 
-// Computes the map of one patch. Writes only to the entries of the patch.
+// Computes the map of the patch with this number. Writes only to the entries of the patch.
 template <typename SolverTraits>
-Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const Patch& patch,
+Map_status compute_seamless_map_of_patch(const Cut_surface& surface, const int number,
                                          const std::vector<double>& alpha, const std::vector<double>& rho,
                                          const std::vector<int>& matching, const std::vector<int>& index,
                                          const std::vector<double>& target_length, const SolverTraits& solver_traits,
-                                         Seamless_map& map, int& fraction_bits)
+                                         Seamless_map& map)
 {
+  const Patch& patch = surface.patches[number];
   if(!has_room_for_quads(surface, patch, index))
     return Map_status::WRONG_CONE;
   if(one_pair_on_torus(surface, patch, index)[0] >= 0)
     return Map_status::ONE_PAIR_ON_TORUS;
   Patch_parameterization parameterization(surface, patch, alpha, rho, matching, index, target_length,
                                           patch.faces.begin_index);
-  return parameterization.compute(solver_traits, map, fraction_bits);
+  return parameterization.compute(solver_traits, map, map.fraction_bits[number], map.faulty_faces[number]);
 }
 
 // Computes the maps of all patches; `target_length` is per face, in the unit of `Cut_surface::length`.
@@ -64,10 +65,11 @@ void compute_seamless_map(const Cut_surface& surface, const std::vector<double>&
   map.quarter_turns.assign(surface.number_of_halfedges(), 0);
   map.status.assign(surface.patches.size(), Map_status::SOLVER_FAILED);
   map.fraction_bits.assign(surface.patches.size(), 0);
+  map.faulty_faces.assign(surface.patches.size(), {});
   for_each_patch<ConcurrencyTag>(surface, [&](const int number)
   {
-    map.status[number] = compute_seamless_map_of_patch(surface, surface.patches[number], alpha, rho, matching, index,
-                                                       target_length, solver_traits, map, map.fraction_bits[number]);
+    map.status[number] = compute_seamless_map_of_patch(surface, number, alpha, rho, matching, index, target_length,
+                                                       solver_traits, map);
     return Patch_result();
   });
 }

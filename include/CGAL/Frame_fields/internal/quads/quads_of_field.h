@@ -18,8 +18,7 @@
 #include <CGAL/Frame_fields/internal/layout/Feature_network.h>
 #include <CGAL/Frame_fields/internal/maps/Target_sizes.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
-#include <CGAL/Frame_fields/internal/parameterization/Seamless_map.h>
-#include <CGAL/Frame_fields/internal/parameterization/repair_field.h>
+#include <CGAL/Frame_fields/internal/quads/Mapped_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_complex.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_output.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_request.h>
@@ -34,7 +33,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -49,20 +47,16 @@ struct Made_quads
   Quad_statistics statistics;
 };
 
-// From a field to quads, by maps with the given target edge length per face. The map may repair the field. A field that
-// the caller gave has no statistics. `unit` is the length by which the caller's lengths were divided before the surface
-// was made. Fails only if wanted numbers of edges contradict one another.
+// From a field with its maps to quads. A field that the caller gave has no statistics. `unit` is the length by which
+// the caller's lengths were divided before the surface was made. Fails only if wanted numbers of edges contradict one
+// another.
 template <typename ConcurrencyTag, typename SolverTraits>
 Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
-                           const Quad_request& request, const std::vector<double>& target_length,
-                           const Options& options, const SolverTraits& solver_traits, Frame_field& field,
-                           const bool is_field_given, Quad_stage_timer& clock, Made_quads& made)
+                           const Quad_request& request, const Options& options, const SolverTraits& solver_traits,
+                           const Mapped_field& mapped, const bool is_field_given, Quad_stage_timer& clock,
+                           Made_quads& made)
 {
-  clock.start(Quad_stage::SEAMLESS_MAP);
-  Seamless_map map;
-  const std::vector<int> cancelled_pairs = compute_seamless_map_and_repair_field<ConcurrencyTag>(
-    surface, options, target_length, solver_traits, field, map);
-
+  const Frame_field& field = mapped.field;
   Feature_network features;
   std::vector<int> number_of_edges;
   if(const Result result = arcs_of_request(surface, embedding, unit, field.index, request, features, number_of_edges);
@@ -71,22 +65,12 @@ Result make_quads_of_field(const Cut_surface& surface, const Surface_embedding& 
 
   if(!is_field_given)
     write_statistics(surface, options, field, No_stage_clock(), made.statistics.field);
-  made.complex = make_quads<ConcurrencyTag>(surface, embedding, field.index, map, features, request, number_of_edges,
-                                            solver_traits, clock, made.statistics);
+  made.complex = make_quads<ConcurrencyTag>(surface, embedding, field.index, mapped.map, features, request,
+                                            number_of_edges, solver_traits, clock, made.statistics);
   clock.stop();
-  note_cancelled_pairs(cancelled_pairs, made.statistics);
+  note_cancelled_pairs(mapped.number_of_cancelled_pairs, made.statistics);
   made.statistics.quality = quality_of(surface, embedding, made.complex, unit);
   return {};
-}
-
-// The sizes for maps, which only have to be in proportion to those wanted. They are not above the length of all edges
-// together, so that no square of a coordinate underflows.
-inline Target_sizes sizes_for_maps(const Cut_surface& surface, const Target_sizes& wanted)
-{
-  Target_sizes result = wanted;
-  result.edge_length =
-    (std::min)(result.edge_length, std::accumulate(surface.length.begin(), surface.length.end(), 0.));
-  return result;
 }
 
 // The lengths that were asked for, in the caller's unit, which is `unit` of those of the request.
@@ -100,33 +84,32 @@ inline void write_sizes(const Surface_embedding& embedding, const Quad_request& 
   statistics.maximum_target_edge_length = *largest * unit;
 }
 
-// From a field to quads in the caller's mesh; `locate` is as for `output_quads()`.
+// From a field with its maps, which may be overwritten, to quads in the caller's mesh; `locate` is as for
+// `output_quads()`.
 template <typename ConcurrencyTag, typename SolverTraits, typename Locate, typename QuadMesh,
           typename NamedParameters>
 Result quads_of_field(const Cut_surface& surface, const Surface_embedding& embedding, const double unit,
                       const Quad_request& request, const Options& options, const SolverTraits& solver_traits,
-                      Frame_field& field, const bool is_field_given, const Locate& locate, Quad_stage_timer& clock,
+                      Mapped_field& mapped, const bool is_field_given, const Locate& locate, Quad_stage_timer& clock,
                       QuadMesh& quad_mesh, const NamedParameters& np)
 {
-  const auto make = [&](const std::vector<double>& target_length, Frame_field& used_field, Made_quads& made)
+  const auto make = [&](Made_quads& made)
   {
-    return make_quads_of_field<ConcurrencyTag>(surface, embedding, unit, request, target_length, options, solver_traits,
-                                               used_field, is_field_given, clock, made);
+    return make_quads_of_field<ConcurrencyTag>(surface, embedding, unit, request, options, solver_traits, mapped,
+                                               is_field_given, clock, made);
   };
-  const bool has_sizes = !request.density.empty();
-  Frame_field copied_field;
-  if(has_sizes)
-    copied_field = field;
-  const Target_sizes sizes = sizes_for_maps(surface, request);
   Made_quads made;
-  if(const Result result = make(edge_length_of_faces(surface, embedding, sizes), field, made); !result)
+  if(const Result result = make(made); !result)
     return result;
-  if(has_sizes && made.statistics.quality.number_of_inverted_quads > 0)
+  if(!request.density.empty() && made.statistics.quality.number_of_inverted_quads > 0)
   {
     // Maps of one size have rounder cells. The sizes still tell how many edges these get.
+    clock.start(Quad_stage::SEAMLESS_MAP);
+    Target_sizes one_size = request;
+    one_size.density.clear();
+    map_field<ConcurrencyTag>(surface, embedding, one_size, options, solver_traits, mapped);
     Made_quads other;
-    const std::vector<double> one_length(surface.number_of_faces(), sizes.edge_length);
-    const Result result = make(one_length, copied_field, other);
+    const Result result = make(other);
     if(result && other.statistics.quality.number_of_inverted_quads < made.statistics.quality.number_of_inverted_quads)
       made = std::move(other);
   }

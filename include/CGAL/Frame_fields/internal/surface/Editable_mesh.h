@@ -132,20 +132,22 @@ public:
     return to_point;
   }
 
-  // Splits an unconstrained edge, and each of its two triangles in two. Returns false and changes nothing if rounding
-  // leaves no point to split at.
-  bool split_edge_with_faces(const halfedge_descriptor h) const
+  // Splits an edge, and each of its triangles in two. The new vertex is the target of the halfedge that is returned,
+  // and the source of `h`; the edges across the triangles come next to this halfedge and to the opposite of `h`.
+  // Returns the null halfedge and changes nothing if rounding leaves no point to split at.
+  halfedge_descriptor split_edge_with_faces(const halfedge_descriptor h) const
   {
     Point_3 splitting_point;
     double weight_of_source;
     if(!find_splitting_point(h, splitting_point, weight_of_source))
-      return false;
+      return Graph_traits::null_halfedge();
     const halfedge_descriptor to_point = split_edge_at(h, splitting_point, weight_of_source);
-    mark_unconstrained(to_point);
-    mark_unconstrained(h);
-    split_face(to_point);
-    split_face(opposite(h, m_mesh));
-    return true;
+    copy_constraint(h, to_point);
+    note_edge(m_mesh, edge(to_point, m_mesh), edge(h, m_mesh));
+    for(const halfedge_descriptor half : { to_point, opposite(h, m_mesh) })
+      if(!CGAL::is_border(half, m_mesh))
+        split_face(half);
+    return to_point;
   }
 
 private:

@@ -103,21 +103,13 @@ private:
   // Returns false and changes nothing if rounding leaves no point to split at.
   bool split(const halfedge_descriptor h, std::deque<halfedge_descriptor>& changed)
   {
-    typename Mesh::Point_3 point;
-    double weight_of_source;
-    if(!m_editable.find_splitting_point(h, point, weight_of_source))
+    const halfedge_descriptor to_point = m_editable.split_edge_with_faces(h);
+    if(to_point == Graph_traits::null_halfedge())
       return false;
-    const halfedge_descriptor to_point = m_editable.split_edge_at(h, point, weight_of_source);
-    m_editable.copy_constraint(h, to_point);
-    note_edge(m_mesh, edge(to_point, m_mesh), edge(h, m_mesh));
     for(const halfedge_descriptor half : { to_point, opposite(h, m_mesh) })
       if(!is_border(half, m_mesh))
       {
-        const auto whole = face(half, m_mesh);
-        const halfedge_descriptor across = CGAL::Euler::split_face(half, next(next(half, m_mesh), m_mesh), m_mesh);
-        m_editable.mark_unconstrained(across);
-        note_face(m_mesh, face(across, m_mesh), whole);
-        note_face(m_mesh, face(opposite(across, m_mesh), m_mesh), whole);
+        const halfedge_descriptor across = next(half, m_mesh);
         ++m_number_of_faces;
         for(const halfedge_descriptor side : { across, opposite(across, m_mesh) })
           for(const halfedge_descriptor around : { side, next(side, m_mesh), prev(side, m_mesh) })

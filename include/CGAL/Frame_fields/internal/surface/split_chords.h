@@ -59,7 +59,7 @@ std::size_t split_chords_of(TriangleMesh& tm, const Editable_mesh<TriangleMesh, 
 
   std::size_t number_of_splits = 0;
   for(const halfedge_descriptor h : chords)
-    number_of_splits += mesh.split_edge_with_faces(h);
+    number_of_splits += mesh.split_edge_with_faces(h) != boost::graph_traits<TriangleMesh>::null_halfedge();
   return number_of_splits;
 }
 
