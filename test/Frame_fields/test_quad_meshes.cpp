@@ -270,6 +270,28 @@ TEST(Quad_meshes_of_domains_with_few_triangles, have_maps_after_splits)
   EXPECT_GT(number_of_filled_patches, 0u);
 }
 
+// Gears where two irregular vertices of a side coincide in all integers, since a small patch beside it has the same
+// number of edges on opposite sides.
+TEST(Quad_meshes_without_integers, fill_a_small_patch_rather_than_a_large_one)
+{
+  for(const unsigned seed : { 4u, 36u, 76u })
+  {
+    SCOPED_TRACE(seed);
+    const Cad_mesh<Surface_mesh> cad_mesh(random_gear(seed), false);
+    const FF::Quad_statistics statistics =
+      quads_of(cad_mesh, parameters::target_edge_length(mean_edge_length(cad_mesh.mesh))).statistics;
+    std::size_t largest = 0, largest_filled = 0;
+    for(const FF::Patch_quad_statistics& patch : statistics.patches)
+    {
+      largest = (std::max)(largest, patch.number_of_faces);
+      if(patch.way == FF::Patch_way::FILLING)
+        largest_filled = (std::max)(largest_filled, patch.number_of_faces);
+    }
+    EXPECT_GT(largest_filled, 0u);
+    EXPECT_LT(largest_filled, largest / 4);
+  }
+}
+
 Model tripod()
 {
   return planar({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } }, 0.5,

@@ -279,12 +279,12 @@ private:
   }
 
   // Gives at least one edge to the longest of the pieces that can have one, and after some rounds to all of them, so
-  // that the rounds come to an end. If none can, gives up the patch of the first.
+  // that the rounds come to an end. If none can, gives up the patch that keeps them empty.
   void raise_longest_of(const std::vector<int>& unknowns)
   {
     if(!m_layout.raise_longest(unknowns, m_round >= number_of_sparing_rounds) && !unknowns.empty()
        && m_patches_to_give_up.empty())
-      m_patches_to_give_up.push_back(m_layout.patch_of_piece(unknowns.front()));
+      m_patches_to_give_up.push_back(m_layout.patch_that_empties(unknowns));
   }
 
   // Asks for one more edge on the side of the cell that a side of a quad runs along, or gives up the filling that the

@@ -176,6 +176,24 @@ public:
     lower_bound = (std::max)(lower_bound, bound);
   }
 
+  // The smallest patch without whose T-mesh one of these pieces can have an edge. It need not be the patch of the
+  // pieces: a rectangle beside it has equal numbers on opposite sides, and a piece may be the difference of these arcs.
+  // If none helps, the patch of the first piece.
+  int patch_that_empties(const std::vector<int>& pieces) const
+  {
+    int result = -1;
+    for(const int e : pieces)
+    {
+      T_mesh_network layout = m_layout;
+      layout.network.edges[e].lower_bound = 1;
+      const int patch = patch_that_blocks(m_surface, layout, sources());
+      if(patch >= 0
+         && (result < 0 || m_surface.patches[patch].faces.size() < m_surface.patches[result].faces.size()))
+        result = patch;
+    }
+    return result < 0 ? m_layout.patch_of_piece(pieces.front()) : result;
+  }
+
   void forbid_empty_pieces()
   {
     m_demands.forbids_empty_pieces = true;
