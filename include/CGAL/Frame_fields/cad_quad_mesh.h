@@ -16,9 +16,9 @@
 #include <CGAL/Frame_fields/Quad_statistics.h>
 #include <CGAL/Frame_fields/internal/maps/bound_sizes.h>
 #include <CGAL/Frame_fields/internal/named_parameters/options.h>
+#include <CGAL/Frame_fields/internal/quads/Mapped_field.h>
 #include <CGAL/Frame_fields/internal/quads/Quad_stage_clock.h>
 #include <CGAL/Frame_fields/internal/quads/Refined_copy.h>
-#include <CGAL/Frame_fields/internal/quads/Mapped_field.h>
 #include <CGAL/Frame_fields/internal/quads/map_refined_copy.h>
 #include <CGAL/Frame_fields/internal/quads/quads_of_field.h>
 #include <CGAL/Frame_fields/internal/surface/Surface_location.h>
